@@ -14,9 +14,9 @@ namespace rubatlas::modes {
 
 class FlightPiece final : public trajectory::PieceWithoutContact {
  public:
-  /// From the start of the flight. `search` knows the tips.
-  FlightPiece(const Flight& flight, TouchdownSearch& search, double end)
-      : flight_(&flight), search_(&search), end_(end) {}
+  /// From the start of the flight. `search` knows the tips; the meter pays for looking along them.
+  FlightPiece(const Flight& flight, TouchdownSearch& search, WorkMeter& meter, double end)
+      : flight_(&flight), search_(&search), meter_(&meter), end_(end) {}
   [[nodiscard]] double begin() const override { return flight_->start_time(); }
   [[nodiscard]] double end() const override { return end_; }
   [[nodiscard]] trajectory::State state(double time) override {
@@ -37,12 +37,13 @@ class FlightPiece final : public trajectory::PieceWithoutContact {
   }
   [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(
       double known, const trajectory::PointConstants& /*point*/) override {
-    return search_->nearest_pass(*flight_, begin(), end_, known);
+    return search_->nearest_pass(*flight_, begin(), end_, known, *meter_);
   }
 
  private:
   const Flight* flight_;
   TouchdownSearch* search_;
+  WorkMeter* meter_;
   double end_;
 };
 

@@ -185,7 +185,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::in_rows(const Flight&
                                                                    rotor::ShaftAndRing bodies, double until,
                                                                    WorkMeter& meter) {
   const int count = static_cast<int>(blades_.size());
-  const std::int64_t price = flight.price_of_state() + count * WorkPrice::kGap;
+  const std::int64_t price = price_of_row(flight);
   double time = flight.start_time();
   forget_rows(bodies);
   Outlook ahead = outlook(flight, time, bodies, until);
@@ -197,14 +197,15 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::in_rows(const Flight&
     evaluations_ += blades_.size();
     const contact::BladeDirection first = machine_->blades.first(time);
     int doubt = FlightRow::kTimes;
+    const bool keeps = keeps_rows_ && rows_.size() < kMostRows;
     for (int k = 0; k < count; ++k) {
       const FlightRow::Gaps gaps = gaps_of(row, k, first);
       const int of_blade = row.first_doubt(gaps, roundings_[static_cast<std::size_t>(k)]);
       clear_until_[static_cast<std::size_t>(k)] = of_blade;
       doubt = std::min(doubt, of_blade);
-      if (keeps_rows_) gaps_.push_back(gaps);
+      if (keeps) gaps_.push_back(gaps);
     }
-    if (keeps_rows_) rows_.push_back({time, row.spacing(), std::min(doubt + 1, FlightRow::kTimes)});
+    if (keeps) rows_.push_back({time, row.spacing(), std::min(doubt + 1, FlightRow::kTimes)});
     if (doubt > 0) {
       time += doubt * row.spacing();
       bodies = dear && rows % kRowsFromClosedForm != 0 ? row.state(doubt - 1) : flight.state(time);
@@ -269,22 +270,31 @@ FlightRow::Gaps TouchdownSearch::gaps_of(const FlightRow& row, int blade,
 }
 
 std::optional<trajectory::Pass> TouchdownSearch::nearest_pass(const Flight& flight, double begin, double end,
-                                                              double known) {
+                                                              double known, WorkMeter& meter) {
   keeps_rows_ = true;
   const rotor::ShaftAndRing bodies = flight.state(begin);
-  if (!rows_reach(begin, bodies, end)) look_along(flight, begin, bodies, end);
   std::optional<trajectory::Pass> nearest;
-  auto next = gaps_.begin();
-  for (const KeptRow& row : rows_) {
-    if (!(row.begin < end)) break;
-    for (int k = 0; k < static_cast<int>(blades_.size()); ++k) {
-      const FlightRow::Gaps& gaps = *next++;
-      if (!may_have_top(gaps, row.spacing)) continue;  // mostly
-      if (const auto pass = nearest_top(flight, row, k, gaps, end, known)) {
-        nearest = pass;
-        known = pass->miss;
+  const auto look_at_rows = [&] {
+    auto next = gaps_.begin();
+    for (const KeptRow& row : rows_) {
+      if (!(row.begin < end)) break;
+      for (int k = 0; k < static_cast<int>(blades_.size()); ++k) {
+        const FlightRow::Gaps& gaps = *next++;
+        if (!may_have_top(gaps, row.spacing)) continue;  // mostly
+        if (const auto pass = nearest_top(flight, row, k, gaps, end, known)) {
+          nearest = pass;
+          known = pass->miss;
+        }
       }
     }
+  };
+  if (rows_reach(begin, bodies, end)) {
+    look_at_rows();
+    return nearest;
+  }
+  while (begin < end && !meter.ended()) {
+    begin = look_along(flight, begin, end, meter);
+    look_at_rows();
   }
   return nearest;
 }
@@ -302,20 +312,23 @@ bool TouchdownSearch::rows_reach(double begin, const rotor::ShaftAndRing& bodies
          rows_.back().begin + rows_.back().intervals * rows_.back().spacing >= end;
 }
 
-/// Keeps rows between two times, without a search.
-void TouchdownSearch::look_along(const Flight& flight, double begin, rotor::ShaftAndRing bodies, double end) {
+/// Keeps rows between two times, without a search, as far as memory and the meter allow: up to the time that
+/// is returned.
+double TouchdownSearch::look_along(const Flight& flight, double begin, double end, WorkMeter& meter) {
+  rotor::ShaftAndRing bodies = flight.state(begin);
   FlightRow& row = *outlook(flight, begin, bodies, end).row;
   forget_rows(bodies);
   const double length = FlightRow::kTimes * row.spacing();
-  const auto count = static_cast<std::int64_t>(std::ceil((end - begin) / length));
-  for (std::int64_t number = 0; number < count; ++number) {
-    const double time = begin + static_cast<double>(number) * length;
+  const auto count = static_cast<int>(std::min(std::ceil((end - begin) / length), double{kMostRows}));
+  for (int number = 0; number < count && meter.spend(Work::flight, price_of_row(flight)); ++number) {
+    const double time = begin + number * length;
     row.start(time, bodies, 0.0);
     const contact::BladeDirection first = machine_->blades.first(time);
     for (int k = 0; k < static_cast<int>(blades_.size()); ++k) gaps_.push_back(gaps_of(row, k, first));
     rows_.push_back({time, row.spacing(), FlightRow::kTimes});
     bodies = row.state(FlightRow::kTimes - 1);
   }
+  return begin + count * length;
 }
 
 /// Whether a gap may rise and fall again within one of the row's intervals (`integrate::cubic_may_peak`).

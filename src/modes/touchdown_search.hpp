@@ -50,10 +50,10 @@ class TouchdownSearch {
   /// A tip at a time of the flight.
   [[nodiscard]] trajectory::Tip tip(const Flight& flight, int blade, double time) const;
 
-  /// The tip that passes the ring nearest between two times of the flight, nearer than `known` [m], or none.
-  /// Once this has been asked for, the search keeps the gaps that it finds.
+  /// The tip that passes the ring nearest between two times of the flight, nearer than `known` [m], or none;
+  /// as far as the meter pays. Once this has been asked for, the search keeps the gaps that it finds.
   [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(const Flight& flight, double begin, double end,
-                                                             double known);
+                                                             double known, WorkMeter& meter);
 
   /// Bound of |g''''| of the blade that reaches farthest [m² per unit τ⁴].
   [[nodiscard]] double fourth_bound(const Flight& flight, const FlightBound& bound) const;
@@ -99,6 +99,7 @@ class TouchdownSearch {
   [[nodiscard]] FlightRow::Gaps gaps_of(const FlightRow& row, int blade,
                                         const contact::BladeDirection& first) const;
 
+  static constexpr std::uint16_t kMostRows = 4096;  ///< kept at once
   struct KeptRow {
     double begin;    ///< τ of the revolution
     double spacing;  ///< τ
@@ -106,7 +107,10 @@ class TouchdownSearch {
   };
   void forget_rows(const rotor::ShaftAndRing& bodies);
   [[nodiscard]] bool rows_reach(double begin, const rotor::ShaftAndRing& bodies, double end) const;
-  void look_along(const Flight& flight, double begin, rotor::ShaftAndRing bodies, double end);
+  double look_along(const Flight& flight, double begin, double end, WorkMeter& meter);
+  [[nodiscard]] std::int64_t price_of_row(const Flight& flight) const {
+    return flight.price_of_state() + static_cast<std::int64_t>(blades_.size()) * WorkPrice::kGap;
+  }
   [[nodiscard]] static bool may_have_top(const FlightRow::Gaps& gaps, double spacing);
   [[nodiscard]] std::optional<trajectory::Pass> nearest_top(const Flight& flight, const KeptRow& row,
                                                             int blade, const FlightRow::Gaps& gaps,

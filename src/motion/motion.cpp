@@ -168,8 +168,9 @@ modes::ModeEnd Motion::fly(double period, modes::MotionListener& listener) {
     return {Guard::left_validity, -1, ending::StatusDetail::shaft_at_ring};
   if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
   if (end > time_) {
-    modes::FlightPiece piece(flight_, search_, end);
+    modes::FlightPiece piece(flight_, search_, meter_, end);
     listener.piece(piece);
+    if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
     state_ = touchdown ? touchdown->bodies : flight_.state(end);
     time_ = end;
     if (!state_.isFinite().all()) return {Guard::failed, -1, ending::StatusDetail::beyond_precision};

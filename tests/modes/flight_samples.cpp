@@ -69,7 +69,8 @@ TEST(FlightBounds, HoldWhereForcingsOfDifferentFrequencyComeIntoStepLater) {
 TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
   for_each_flight([](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     for (const int count : {7, 64, 256, 8192}) {
-      modes::FlightPiece piece(flight, search, rotor.period());
+      modes::WorkMeter meter;
+      modes::FlightPiece piece(flight, search, meter, rotor.period());
       const trajectory::SampleTimes times{rotor.period(), count};
       const int first = static_cast<int>(flight.start_time() / times.spacing()) + 1;
       for (const int last : {first, first + 1, count - 1}) {
@@ -112,7 +113,8 @@ TEST(FlightSamples, TheLargestDisplacementOfAFlightIsFoundWhereverItLies) {
   int inside = 0;
   for_each_flight([&](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     for (int i = 0; i < 200; ++i) {
-      modes::FlightPiece piece(flight, search,
+      modes::WorkMeter meter;
+      modes::FlightPiece piece(flight, search, meter,
                                flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
       StatesOnly states(piece);
       const double expected = states.largest_displacement(0.0, rotor.speed_ratio);
@@ -135,7 +137,8 @@ TEST(FlightSamples, TheTipThatPassesTheRingNearestIsTheSameInRowsOfTimesAndBySta
   for_each_flight([&](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     const trajectory::PointConstants point{rotor.period(), rotor.speed_ratio, 3};
     for (int i = 0; i < 50; ++i) {
-      modes::FlightPiece piece(flight, search,
+      modes::WorkMeter meter;
+      modes::FlightPiece piece(flight, search, meter,
                                flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
       StatesOnly states(piece);
       const auto expected = states.nearest_pass(INFINITY, point);
@@ -151,6 +154,27 @@ TEST(FlightSamples, TheTipThatPassesTheRingNearestIsTheSameInRowsOfTimesAndBySta
     }
   });
   EXPECT_GT(passes, 500);
+}
+
+TEST(FlightSamples, ALongFlightIsLookedAtInPartsAndAnEndlessOneAsFarAsWorkIsAllowed) {
+  for_each_flight([](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
+    if (rotor.damping_ratio > 0.0 || rotor.speed_ratio != 0.62) return;
+    const auto nearest_until = [&](double time, modes::WorkMeter& meter) {
+      return modes::FlightPiece(flight, search, meter, time)
+          .nearest_pass(INFINITY, {rotor.period(), rotor.speed_ratio, 3});
+    };
+    constexpr double kLong = 1e5;  // twelve times as many rows as are kept at once
+    modes::WorkMeter meter;
+    const auto in_parts = nearest_until(kLong, meter);
+    const auto of_first_part = nearest_until(kLong / 16.0, meter);
+    EXPECT_FALSE(meter.ended());
+    ASSERT_TRUE(in_parts && of_first_part);
+    EXPECT_LT(in_parts->miss, of_first_part->miss) << "an undamped shaft comes ever nearer";
+    EXPECT_GT(in_parts->time, kLong / 16.0);
+    modes::WorkMeter endless;
+    EXPECT_TRUE(nearest_until(1e12, endless));
+    EXPECT_EQ(endless.why(), ending::StatusDetail::flight_work);
+  });
 }
 
 }  // namespace

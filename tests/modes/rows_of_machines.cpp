@@ -85,7 +85,8 @@ TEST(FlightRows, ShowWhatListenersAskForOfAnyMachine) {
     modes::TouchdownSearch search(random.machine, random.blades);
     const double begin = flight.start_time();
     const double end = begin + between(generator, 0.5, 10.0);
-    modes::FlightPiece piece(flight, search, end);
+    modes::WorkMeter meter;
+    modes::FlightPiece piece(flight, search, meter, end);
 
     const trajectory::SampleTimes times{end, 3000};
     const int first = static_cast<int>(begin / times.spacing()) + 1;
