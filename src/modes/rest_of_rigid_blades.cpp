@@ -14,7 +14,7 @@ bool RestOfRigidBlades::settle(const State& state, std::vector<OpenContact>& con
   }
   if (count == 0) return true;
   while (true) {
-    const Balance now = balance(state, contacts, {});
+    const Balance now = balance(state, contacts);
     const AtRest* loosest = nullptr;
     for (std::size_t i = 0; i < now.count; ++i) {
       const AtRest& tip = now.at_rest[i];
@@ -41,28 +41,6 @@ bool RestOfRigidBlades::let_go(const State& state, std::vector<OpenContact>& con
   return true;
 }
 
-contact::TipForce RestOfRigidBlades::force(const State& state, Contacts contacts, std::size_t contact) const {
-  contact::TipForce result = slipping(contacts[contact], state).force;
-  if (contacts[contact].slip == 0.0) hold(at_rest(state, contacts, contact), result);
-  return result;
-}
-
-void RestOfRigidBlades::project(State& state, Contacts contacts) const {
-  std::array<AtRest, contact::kMostAtRest> tips{};
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (contacts[i].slip != 0.0) continue;
-    tips[count] = at_rest(contacts, i, slipping(contacts[i], state));
-    tips[count].pull = tips[count].slip_velocity;
-    ++count;
-  }
-  std::complex<double> velocity(state[2], state[3]);
-  contact::share_out(std::span(tips.data(), count));
-  for (const AtRest& tip : std::span(tips.data(), count)) velocity -= tip.pull * tip.tangent;
-  state[2] = velocity.real();
-  state[3] = velocity.imag();
-}
-
 RestOfRigidBlades::Slipping RestOfRigidBlades::slipping(OpenContact contact, const State& state) const {
   Slipping result{};
   result.direction = blades().direction(contact.blade, first_blade(state));
@@ -86,15 +64,13 @@ RestOfRigidBlades::AtRest RestOfRigidBlades::at_rest(Contacts contacts, std::siz
   return tip;
 }
 
-RestOfRigidBlades::Balance RestOfRigidBlades::balance(const State& state, Contacts contacts,
-                                                      std::span<contact::TipForce> forces) const {
+RestOfRigidBlades::Balance RestOfRigidBlades::balance(const State& state, Contacts contacts) const {
   Balance result;
   std::complex<double> force;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Slipping at = slipping(contacts[i], state);
     force += std::complex<double>(at.force.radial, at.force.tangential) *
              std::complex<double>(at.direction.cosine, at.direction.sine);
-    if (!forces.empty()) forces[i] = at.force;
     if (contacts[i].slip == 0.0) result.at_rest[result.count++] = at_rest(contacts, i, at);
   }
   result.acceleration = machine().acceleration(state, force).shaft;
@@ -108,24 +84,13 @@ RestOfRigidBlades::Balance RestOfRigidBlades::balance(const State& state, Contac
     tip.pull = contact::slip_acceleration(geometry, tip.pose, angular_speed(state), other, tip.load, 0.0);
   }
   contact::share_out(tips);
-  for (const AtRest& tip : tips) {
-    result.acceleration -= tip.pull * tip.tangent;
-    if (!forces.empty()) hold(tip, forces[tip.contact]);
-  }
+  for (const AtRest& tip : tips) result.acceleration -= tip.pull * tip.tangent;
   return result;
-}
-
-/// Adds the friction that holds a tip to the force of its contact.
-void RestOfRigidBlades::hold(const AtRest& tip, contact::TipForce& force) const {
-  const std::complex<double> friction =
-      -tip.pull / rotor().force_unit * tip.tangent * std::conj(tip.direction);
-  force.radial += friction.real();
-  force.tangential += friction.imag();
 }
 
 RestOfRigidBlades::AtRest RestOfRigidBlades::at_rest(const State& state, Contacts contacts,
                                                      std::size_t contact) const {
-  const Balance now = balance(state, contacts, {});
+  const Balance now = balance(state, contacts);
   return now.count == 2 && now.at_rest[1].contact == contact ? now.at_rest[1] : now.at_rest[0];
 }
 

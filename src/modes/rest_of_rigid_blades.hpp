@@ -23,7 +23,7 @@
 
 namespace rubatlas::modes {
 
-class RestOfRigidBlades final : public RestJudge, public TipPlaces {
+class RestOfRigidBlades : public RestJudge, public TipPlaces {
  public:
   using State = rotor::ContactState;
   using Contacts = std::span<const OpenContact>;
@@ -53,23 +53,17 @@ class RestOfRigidBlades final : public RestJudge, public TipPlaces {
     }
     [[nodiscard]] double coefficient() const { return pull / load; }  ///< c [-]
   };
-  /// Forces on the rotor, those of the tips at rest worked out of the motion.
+  /// The motion, and the tips at rest, whose friction is worked out of it.
   struct Balance {
     std::complex<double> acceleration;  ///< z''
     std::array<AtRest, contact::kMostAtRest> at_rest{};
     std::size_t count = 0;
   };
-  /// `forces`: one a contact, or none.
-  [[nodiscard]] Balance balance(const State& state, Contacts contacts,
-                                std::span<contact::TipForce> forces) const;
+  [[nodiscard]] Balance balance(const State& state, Contacts contacts) const;
   /// A tip at rest of these contacts.
   [[nodiscard]] AtRest at_rest(const State& state, Contacts contacts, std::size_t contact) const;
-  /// What a contact does in a state.
-  [[nodiscard]] contact::TipForce force(const State& state, Contacts contacts, std::size_t contact) const;
-  /// Puts the tips at rest of a state back to v = 0, the shortest way.
-  void project(State& state, Contacts contacts) const;
 
- private:
+ protected:
   /// A contact under the friction of its slip, of which one at rest has none.
   struct Slipping {
     contact::BladeDirection direction;
@@ -78,7 +72,6 @@ class RestOfRigidBlades final : public RestJudge, public TipPlaces {
   };
   [[nodiscard]] Slipping slipping(OpenContact contact, const State& state) const;
   [[nodiscard]] AtRest at_rest(Contacts contacts, std::size_t contact, const Slipping& at) const;
-  void hold(const AtRest& tip, contact::TipForce& force) const;
 };
 
 }  // namespace rubatlas::modes
