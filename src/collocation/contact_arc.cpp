@@ -98,14 +98,15 @@ double ContactArc::error_of(const Interval& interval) const {
 
 /// The stretch of an interval up to θ, solved for itself.
 bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter, double closest) {
-  static_cast<IntervalStart&>(shorter) = whole;
-  static_cast<TipStart&>(shorter) = whole;
+  static_cast<IntervalStart&>(shorter) = static_cast<const IntervalStart&>(whole);
+  static_cast<TipStart&>(shorter) = static_cast<const TipStart&>(whole);
   shorter.shaft.start = whole.shaft.start;
   shorter.ring.start = whole.ring.start;
   shorter.further.resize(whole.further.size());
   for (std::size_t k = 0; k < whole.further.size(); ++k) {
-    static_cast<TipStart&>(shorter.further[k]) = whole.further[k];
-    static_cast<FurtherBladeStart&>(shorter.further[k]) = whole.further[k];
+    static_cast<TipStart&>(shorter.further[k]) = static_cast<const TipStart&>(whole.further[k]);
+    static_cast<FurtherBladeStart&>(shorter.further[k]) =
+        static_cast<const FurtherBladeStart&>(whole.further[k]);
   }
   shorter.chord = {fraction * whole.chord.time, fraction * whole.chord.argument};
   shorter.normal = whole.normal;

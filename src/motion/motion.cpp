@@ -228,7 +228,9 @@ bool Motion::begin_mode() {
   const bool rests = any_rests();
   if (!rests && begins_to_skim()) contacts_.front().skims = true;
   under_law_of_rest_ = rests && modes_.has_law_of_rest();
-  const std::vector<modes::OpenContact> contacts = under_law_of_rest_ ? modes_.at_rest(contacts_) : contacts_;
+  std::vector<modes::OpenContact> resting;
+  if (under_law_of_rest_) resting = modes_.at_rest(contacts_);
+  const std::vector<modes::OpenContact>& contacts = under_law_of_rest_ ? resting : contacts_;
   phase_ = &(under_law_of_rest_ ? modes_.resting() : modes_.phases()).of(contacts);
   const bool started = phase_->start(time_, state_, contacts);
   refusal_ = phase_->refusal();
