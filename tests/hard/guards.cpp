@@ -234,6 +234,24 @@ TEST(Guards, AShaftThatFliesToTheRingLeavesValidityHoweverShortlyItIsThere) {
   }
 }
 
+TEST(Guards, ABladeThatStandsAtItsFoldWhereAnIntervalBeginsIsReleasedThere) {
+  // In revolution 4 a contact goes on at its fold, to rounding, where another one has ended.
+  constexpr int kRevolutions = 6;
+  settings::Scene scene = default_rotor(kRevolutions);
+  scene.release.emplace().at_fold = true;
+  scene.observables = {"poincare"};
+  const auto sections = [&](settings::Method method) {
+    scene.accuracy.method = method;
+    const auto outcome = run(scene, 0.7367415730337079);
+    EXPECT_EQ(outcome.status, PointStatus::done) << static_cast<int>(outcome.detail);
+    return outcome.rows.at(0);
+  };
+  const auto by_collocation = sections(settings::Method::collocation);
+  const auto in_steps = sections(settings::Method::hybrid);
+  for (std::size_t i = 0; i < kRevolutions; ++i)
+    EXPECT_LT(largest_difference(section(by_collocation, i), section(in_steps, i)), 1e-6 * 0.01) << i;
+}
+
 TEST(Guards, ADefaultRotorIsNotAskedForDenseOutputToShowThatNothingHappens) {
   // In steps: 12 evaluations an attempt, 2 at the start of a contact, 3 for dense output at its end and at
   // sections.
