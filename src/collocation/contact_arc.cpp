@@ -275,7 +275,7 @@ void ContactArc::goes_on(const Ending& ending) {
   ++number_;
   ++interval_count_;
   end_at(made(), ending);
-  at_end_ = collocation::end_of(made());
+  at_end_ = start_after(made());
   for (std::size_t k = 0; k < further_.size(); ++k) go_on(made(), made().further[k], further_[k]);
   if (ending_.guard == Guard::none) predictor_.goes_on(made());
   begins_ = false;

@@ -27,7 +27,7 @@ FurtherStart::Course square_of_bent(const contact::ElasticaContact& law, const c
                    (law.gap_per_deflection(pose, touch.slip, 0.0) * deflection_per_square(law))};
 }
 
-TipStart end_of(const TipInTime& tip) {
+TipStart start_after(const TipInTime& tip) {
   return {.start_gap = tip.gap.at_end(),
           .start_gap_measure = tip.gap_measure.at_end(),
           .start_slip_velocity = tip.slip_velocity.at_end(),
@@ -54,7 +54,7 @@ FurtherStart::Course course_at_end(const Interval& made, const AtNodes& nodes) {
 
 void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start) {
   start.square = course_at_end(made, blade.square);
-  start.tip = end_of(blade);
+  start.tip = start_after(blade);
   if (start.load != nullptr) start.lean = course_at_end(made, blade.lean);
 }
 

@@ -66,7 +66,7 @@ double deflection_per_square(const contact::ElasticaContact& law);
 FurtherStart::Course square_of_bent(const contact::ElasticaContact& law, const contact::Pose& pose,
                                     const Touch& touch, double angular_speed, double ring_opens);
 /// A tip where the interval after this one starts.
-TipStart end_of(const TipInTime& tip);
+TipStart start_after(const TipInTime& tip);
 /// How a quantity goes on from the end of an interval, as the last three nodes have it.
 FurtherStart::Course course_at_end(const Interval& made, const AtNodes& nodes);
 /// How a blade goes on from there.

@@ -261,8 +261,9 @@ bool Motion::open(int blade, const modes::TipPlace& at) {
   const contact::Geometry& geometry = law().geometry(blade);
   const double velocity = contact::undeformed_slip_velocity(geometry, at.pose, at.speed);
   modes::OpenContact contact{blade, velocity >= 0.0 ? 1.0 : -1.0, 0.0};
-  const double tip_speed = std::abs(machine_.constants.speed_ratio) * geometry.ring_radius;
-  if (modes_.tips_stick() && std::abs(velocity) <= contact::kSlipRounding * tip_speed) contact.slip = 0.0;
+  const double rounding =
+      contact::slip_rounding(machine_.constants.speed_ratio * geometry.ring_radius, state_[2], state_[3]);
+  if (modes_.tips_stick() && std::abs(velocity) <= rounding) contact.slip = 0.0;
   if (!law().open(at, contact)) return false;
   contacts_.push_back(contact);
   return true;
