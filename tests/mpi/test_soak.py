@@ -23,7 +23,7 @@ POINTS = 60
 def scenes():
     """Points that continue, that are independent, and that leave the model, after which a line starts anew."""
     grid = {"speed_ratio": {"from": 0.2, "to": 0.9, "count": POINTS // 3}, "damping_ratio": [0.1, 0.15, 0.2]}
-    protocol = {"transient_revolutions": 60, "sampled_revolutions": 10, "samples_per_revolution": 32}
+    protocol = {"transient_revolutions": 400, "sampled_revolutions": 10, "samples_per_revolution": 32}
     return [scene(grid=grid, protocol=protocol), scene(grid=grid, protocol=protocol, sweep="independent"),
             scene(grid={**grid, "damping_ratio": FAILING}, protocol=protocol, sweep="down")]
 
@@ -57,10 +57,11 @@ class Trial:
 
 class SoakTest(JobTest):
     def soak(self, kills):
+        """At least `kills` kills, and on until more than a fifth of those hit a job at work, whatever the load."""
         contents = scenes()
         whole = [self.fill(None, content, f"whole{number}.h5") for number, content in enumerate(contents)]
         done, number, at_work, which, atlas = 0, 0, 0, 0, self.directory / "atlas.h5"
-        while done < kills:
+        while done < kills or at_work <= kills // 5:
             trial = Trial(number)
             number += 1
             if not atlas.exists():
@@ -73,12 +74,11 @@ class SoakTest(JobTest):
                     at_work += 0 < self.assert_no_wrong_row(atlas, whole[which]) < POINTS
                     verified = self.execute(None, "verify", atlas)
                     self.assertEqual(verified.returncode, 0, verified.stderr)
-                if trial.begins_anew or done == kills or self.is_complete(atlas):
+                if trial.begins_anew or done >= kills or self.is_complete(atlas):
                     self.assert_same_bytes(whole[which],
                                            self.fill(trial.ranks_to_the_end, contents[which], atlas.name, "--resume"))
                     atlas.unlink()
-            self.assertLess(number, 3 * kills + 20, "most jobs end before they are killed")
-        self.assertGreater(at_work, kills // 5, "many kills hit a job at work")
+            self.assertLess(number, 3 * kills + 20, "most jobs end before they are killed, or are not yet at work")
 
     @staticmethod
     def is_complete(atlas):
