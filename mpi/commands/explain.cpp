@@ -148,22 +148,25 @@ std::string flight_text(const settings::Scene& scene, const settings::Combinatio
                      combination.family->flight.empty() ? "" : ", ", combination.family->flight);
 }
 
-std::string_view steps_of_hybrid(settings::Scene scene) {
-  scene.accuracy.method = settings::Method::hybrid;
-  return settings::method_of(scene).pair;
+/// The method that computes: where contacts have no arcs `collocation` computes as `hybrid` does.
+const settings::MethodOfIntegration& method_used(settings::Scene scene) {
+  using settings::Method;
+  if (scene.accuracy.method == Method::collocation && !assembly::collocates(scene))
+    scene.accuracy.method = Method::hybrid;
+  return settings::method_of(scene);
 }
 
 std::string contact_text(const settings::Scene& scene, const settings::Combination& combination) {
-  const auto& method = settings::method_of(scene);
+  const auto& method = method_used(scene);
+  const settings::ContactText& contact = combination.family->contact;
+  if (method.method == settings::Method::collocation)
+    return fmt::format("{}; {}", method.pair, contact.on_arcs);
   if (method.flies_in_closed_form) {
-    if (scene.accuracy.method == settings::Method::collocation && !assembly::collocates(scene)) {
-      return fmt::format("{}; {}; collocation does not apply here", steps_of_hybrid(scene),
-                         combination.family->contact);
-    }
-    return fmt::format("{}; {}", method.pair, combination.family->contact);
+    return fmt::format("{}; {}{}", method.pair, contact.in_steps,
+                       method.method == scene.accuracy.method ? "" : "; collocation does not apply here");
   }
   if (scene.contact.law == settings::ContactLaw::elastic_ring) {
-    return fmt::format("in the same steps; {}", combination.family->contact);
+    return fmt::format("in the same steps; {}", contact.in_steps);
   }
   return fmt::format("in the same steps; the force of each blade: {}{}", method.force,
                      scene.accuracy.method == settings::Method::paper
@@ -174,7 +177,7 @@ std::string contact_text(const settings::Scene& scene, const settings::Combinati
 void describe_kernel(const settings::Scene& scene, Text& text) {
   const bool bending = scene.contact.law != settings::ContactLaw::elastic_ring;
   const double scale = scene.clearance() > 0.0 ? scene.clearance() : 0.1 * scene.blades.length;
-  const auto& method = settings::method_of(scene);
+  const auto& method = method_used(scene);
   text.heading("Kernel");
   text.line("method", std::get<std::string>(*settings::quantity("/accuracy/method").read(scene)));
   for (const Motion& motion : motions_of(scene)) {

@@ -190,16 +190,15 @@ constexpr EffectSet kChanges = effect_set<&Effects::wear, &Effects::speed_ramp>(
 constexpr EffectSet kFrictionWithVelocity = effect_set<&Effects::regularised_friction, &Effects::stribeck>();
 constexpr EffectSet kElasticBladeOrRing = effect_set<&Effects::axial_compliance, &Effects::yielding_ring>();
 
-constexpr std::string_view kOneBend =
-    "by collocation the bending of each blade is found along with the motion; in steps a root each";
-constexpr std::string_view kOneBendOrColumn =
-    "by collocation the bending of each blade is found along with the motion; in steps, for several columns "
-    "(no friction) and where one may stand straight, a root each";
-constexpr std::string_view kExplicit = "the force of each blade is explicit";
-constexpr std::string_view kTwoBends =
-    "by collocation the bends of all blades in contact, two numbers each, are found along with the motion; "
-    "in "
-    "steps a root each";
+constexpr ContactText kOneBend{"the bending of each blade is found along with the motion",
+                               "the bending of each blade is a root in each stage"};
+constexpr ContactText kTwoBends{
+    "the bends of all blades in contact, two numbers each, are found along with the motion",
+    "the bends of each blade, two numbers, are a root in each stage"};
+constexpr ContactText of_any_method(std::string_view text) {
+  return {text, text};
+}
+constexpr ContactText kExplicit = of_any_method("the force of each blade is explicit");
 
 }  // namespace
 
@@ -234,15 +233,16 @@ std::span<const Family> families() {
        .laws = {elastic_ring},
        .consumes = kMachine | effect_set<&Effects::stick>(),
        .is_for = nullptr,
-       .contact = "the force of each blade is explicit; the friction that holds tips at rest follows from a "
-                  "linear system",
+       .contact = of_any_method(
+           "the force of each blade is explicit; the friction that holds tips at rest follows from a "
+           "linear system"),
        .flight = {}},
       {.kind = elastic_blades,
        .name = "elastic blades",
        .laws = bending,
        .consumes = kMachine | kChanges | kElasticBladeOrRing | effect_set<&Effects::release>(),
        .is_for = nullptr,
-       .contact = kOneBendOrColumn,
+       .contact = kOneBend,
        .flight = {}},
       {.kind = directed_elastic_blades,
        .name = "elastic blades under a load along the contact normal, or with friction that depends on the "
@@ -264,21 +264,25 @@ std::span<const Family> families() {
        .laws = bending,
        .consumes = kMachine | kChanges | effect_set<&Effects::yielding_ring, &Effects::contact_damping>(),
        .is_for = ring_yields,
-       .contact = "how far the ring yields under each contact is a state; in steps a root each",
+       .contact =
+           {"how far the ring yields under each contact is found along with the motion",
+            "how far the ring yields under each contact is a state, the bending of each blade a root in "
+            "each stage"},
        .flight = {}},
       {.kind = blades_on_damped_ring,
        .name = "rigid blades on a ring with a damper under each tip",
        .laws = {elastic_ring},
        .consumes = kMachine | kChanges | effect_set<&Effects::contact_damping>(),
        .is_for = nullptr,
-       .contact = "the force of each blade is explicit, and vanishes inside the undeformed ring",
+       .contact =
+           of_any_method("the force of each blade is explicit, and vanishes inside the undeformed ring"),
        .flight = {}},
       {.kind = blades_in_ring_body,
        .name = "elastic blades in a ring that is a body",
        .laws = bending,
        .consumes = kMachine | effect_set<&Effects::axial_compliance, &Effects::ring_body>(),
        .is_for = ring_has_mass,
-       .contact = kOneBendOrColumn,
+       .contact = kOneBend,
        .flight = "the ring oscillates freely beside the shaft"},
       {.kind = blades_in_ring_body,
        .name = "rigid blades in a ring that is a body",
@@ -292,9 +296,9 @@ std::span<const Family> families() {
        .laws = {elastic_ring},
        .consumes = kMachine | effect_set<&Effects::ring_body>(),
        .is_for = ring_has_neither_mass_nor_damping,
-       .contact =
+       .contact = of_any_method(
            "the forces of all blades and the place of the ring, where its spring balances them, are found "
-           "together",
+           "together"),
        .flight = "the ring stays at its place of rest"},
   };
   return rows;

@@ -101,6 +101,12 @@ enum class MotionFamily : std::uint8_t {
   blades_in_ring_without_mass,
 };
 
+/// How contact is computed, in plain words.
+struct ContactText {
+  std::string_view on_arcs;   ///< by collocation
+  std::string_view in_steps;  ///< by any other method
+};
+
 /// One row of the table.
 struct Family {
   MotionFamily kind;
@@ -108,8 +114,8 @@ struct Family {
   std::vector<ContactLaw> laws;  ///< contact laws that the family is for
   EffectSet consumes;            ///< effects that its motions can compute
   bool (*is_for)(const Scene&);  ///< a further condition on the line; null: none
-  std::string_view contact;      ///< how methods with flight in closed form integrate contact
-  std::string_view flight;       ///< what moves in flight besides the shaft; empty: nothing
+  ContactText contact;
+  std::string_view flight;  ///< what moves in flight besides the shaft; empty: nothing
 
   [[nodiscard]] bool takes(const Scene& line) const;
 };

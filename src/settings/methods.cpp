@@ -8,6 +8,8 @@ namespace rubatlas::settings {
 const MethodOfIntegration& method_of(const Scene& scene) {
   constexpr std::string_view kLocated =
       "located on dense output; a bound and a search in each step show that none is missed";
+  constexpr std::string_view kOnArcs =
+      "approached from below in flight, the end of an interval in contact; bounds show that none is missed";
   constexpr std::string_view kBetweenSteps =
       "not located: the sign of the gap in each stage; contacts open, close and reverse at ends of steps";
   constexpr std::string_view kSolved = "a root in each stage";
@@ -23,8 +25,8 @@ const MethodOfIntegration& method_of(const Scene& scene) {
                           .takes_effects = true,
                           .flies_in_closed_form = true,
                           .keeps_tolerance = true,
-                          .pair = "Radau IIA 15; where that gives up, Dormand-Prince 8(5,3)",
-                          .guards = kLocated,
+                          .pair = "Radau IIA 15, along the arc of the contact",
+                          .guards = kOnArcs,
                           .force = {}},
       MethodOfIntegration{.method = Method::hybrid_54,
                           .takes_effects = false,

@@ -13,7 +13,7 @@ struct MethodOfIntegration {
   bool takes_effects;         ///< besides the unbalance
   bool flies_in_closed_form;  ///< else flight is integrated in steps, too
   bool keeps_tolerance;       ///< else all steps of a revolution have the same size
-  std::string_view pair;      ///< the Runge–Kutta coefficients
+  std::string_view pair;      ///< the Runge–Kutta method
   std::string_view guards;    ///< how touch-down, lift-off and slip reversal are found
   std::string_view force;     ///< how a blade's force is found; empty: as `Family::contact` says
 };
