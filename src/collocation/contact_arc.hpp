@@ -11,7 +11,7 @@
 ///
 /// Where no interval can be made the next event is at hand: a contact that is shorter than times are rounded
 /// is an impact, and a guard may be met where an interval begins. Where it cannot be told which, the arc
-/// gives up, and the motion goes on with another mode from there.
+/// gives up, and the point ends as `step_too_short`.
 #pragma once
 
 #include <array>

@@ -12,8 +12,8 @@ namespace rubatlas::collocation {
 /// Whether a contact that begins at the ring lasts no longer than that, as first estimated.
 bool ContactArc::is_shorter_than(double duration) const {
   if (!begins_ || machine().ring.is_massless() || predictor_.duration() > duration) return false;
-  const contact::Pose there = pose(blade_, end_);
-  return std::abs(there.gap) <= contact::gap_rounding(law_->geometry(blade_), there);
+  const double rounding = contact::gap_rounding(law_->geometry(blade_), pose(blade_, end_));
+  return std::abs(at_end_.start_gap) <= rounding;
 }
 
 /// A contact that is shorter than times are rounded is an impact: nothing changes meanwhile but that its

@@ -19,12 +19,13 @@ constexpr double kLeastGrowth = 0.5;
 constexpr double kMostGrowth = 2.0;
 constexpr double kLeastRetry = 0.3;
 constexpr double kUnsolvedRetry = 0.5;
-constexpr double kShortest = 1e-8;    ///< of the arc with which an interval is begun
-constexpr double kFirstAtRest = 0.1;  ///< length of the first arc of a tip at rest
-constexpr double kStraight = 1e-6;    ///< [rad]: an arc that turns by less has no curvature
-constexpr double kSteep = 0.48;       ///< sine of the slope with which an arc may be followed down to p = 0
-constexpr double kReach = 0.15;       ///< of an arc: so far above p = 0 it is stretched to reach it
-constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first estimate
+constexpr double kShortest = 1e-8;      ///< of the arc with which an interval is begun
+constexpr double kStillShorter = 1e-5;  ///< of that, where nothing else helps
+constexpr double kFirstAtRest = 0.1;    ///< length of the first arc of a tip at rest
+constexpr double kStraight = 1e-6;      ///< [rad]: an arc that turns by less has no curvature
+constexpr double kSteep = 0.48;         ///< sine of the slope with which an arc may be followed down to p = 0
+constexpr double kReach = 0.15;         ///< of an arc: so far above p = 0 it is stretched to reach it
+constexpr double kLongestHalf = 1.5;    ///< [τ] half of a contact, as a first estimate
 
 /// Without the care of `std::hypot` for numbers near overflow.
 double length_of(double x, double y) {
@@ -150,6 +151,10 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
 
 void Predictor::begin_interval() {
   shortest_ = kShortest * length_;
+}
+
+void Predictor::allow_shorter() {
+  shortest_ *= kStillShorter;
 }
 
 void Predictor::guess_lean(Interval& next) const {

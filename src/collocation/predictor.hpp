@@ -50,6 +50,8 @@ class Predictor {
   [[nodiscard]] double duration() const { return duration_; }
 
   void begin_interval();
+  /// The interval may be much shorter than usual.
+  void allow_shorter();
   /// The first guess of the next interval, whose start is known.
   void guess(Interval& next);
   /// An earlier contact is followed instead, by an arc of this length.

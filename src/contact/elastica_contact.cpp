@@ -31,19 +31,26 @@ std::optional<double> ElasticaContact::solve(const Pose& at, double slip) const 
       step *= 0.5;
       at_low = function(step);
     } while (at_low <= 0.0 && step > high * 1e-12);
-    if (at_low <= 0.0) return at.gap >= -gap_rounding(geometry(), at) ? bending_at_ring(at, slip, high) : 0.0;
+    if (at_low <= 0.0) return at.gap >= -gap_rounding(geometry(), at) ? bending_at_ring(at, slip) : 0.0;
     low = step;
     if (function(2.0 * step) < 0.0) high = 2.0 * step;
   }
   return integrate::root_between(function, low, high, at_low, function(high));
 }
 
-double ElasticaContact::bending_at_ring(const Pose& at, double slip, double high) const {
+double ElasticaContact::bending_at_ring(const Pose& at, double slip) const {
   const auto measure = [&](double bending) { return gap_per_deflection(at, slip, bending); };
-  const double at_zero = measure(0.0);
-  const double at_high = measure(high);
-  if (!(at_zero < 0.0 && at_high > 0.0)) return 0.0;
-  return integrate::root_between(measure, 0.0, high, at_zero, at_high);
+  const auto& knots = curve_->knots();
+  double low = 0.0;
+  double at_low = measure(low);
+  if (!(at_low < 0.0)) return 0.0;
+  for (auto knot = knots.begin() + 1; knot != knots.end(); ++knot) {
+    const double at_high = measure(knot->bending);
+    if (at_high > 0.0) return integrate::root_between(measure, low, knot->bending, at_low, at_high);
+    low = knot->bending;
+    at_low = at_high;
+  }
+  return 0.0;
 }
 
 std::optional<double> ElasticaContact::solve_beyond_ring(const Pose& at, double slip) const {

@@ -303,11 +303,11 @@ class ElasticaContact {
   [[nodiscard]] blade::CurvePoint straight(double load) const {
     return {load, curve_->axial_compliance() * load, 0.0, 0.0, 0.0, 0.0};
   }
+  /// The bending with which the force sets in at g = 0 (MODEL 4.2): the first root of g/Δ, which is well
+  /// determined where h rises from the unloaded blade by less than the rounding of g. 0 on the approaching
+  /// side.
+  [[nodiscard]] double bending_at_ring(const Pose& at, double slip) const;
   /// Root beyond the fold where the undeformed tip has left the ring, g < 0; none where the fold has too.
-  /// The bending up to `high` with which the force sets in at g = 0 (MODEL 4.2): the root of g/Δ, which is
-  /// well determined where h rises from the unloaded blade by less than the rounding of g. 0 on the
-  /// approaching side.
-  [[nodiscard]] double bending_at_ring(const Pose& at, double slip, double high) const;
   [[nodiscard]] std::optional<double> solve_beyond_ring(const Pose& at, double slip) const;
 
   /// A stretch of the curve on which h falls, where a blade can stand.

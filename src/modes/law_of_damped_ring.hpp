@@ -19,7 +19,9 @@ class LawOfDampedRing final : public LawOfBlades<LawOfDampedRing, contact::Elast
     return of(contact.blade)
         .respond(at.pose, contact.slip, at.speed, contact.yielding, contact.bending, force);
   }
-  [[nodiscard]] Kind kind() const override { return {.price_of_curve = WorkPrice::kCurve}; }
+  [[nodiscard]] Kind kind() const override {
+    return {.lifts_off_inside = true, .price_of_curve = WorkPrice::kCurve};
+  }
   [[nodiscard]] std::uint64_t evaluations() const override { return blades().evaluations(); }
   [[nodiscard]] std::unique_ptr<collocation::ArcLaw> arcs(const rotor::Machine& machine,
                                                           double max_shortening) const override;

@@ -29,7 +29,9 @@ std::optional<SkimmingJudge::Balance> SkimmingJudge::weigh(const State& state, O
                                                            const std::complex<double>& others) const {
   const FreeMotion free = free_motion(state, contact.blade, others);
   contact::TipForce force{};
-  if (!law_->respond({free.pose, angular_speed(state)}, contact, force)) return std::nullopt;
+  contact::Pose on_ring = free.pose;
+  on_ring.gap = 0.0;  // what rounding leaves of it would bend a blade of hardly any friction
+  if (!law_->respond({on_ring, angular_speed(state)}, contact, force)) return std::nullopt;
   const double share = -free.curvature / rotor::pushed_gap_curvature(machine(), law_->geometry(contact.blade),
                                                                      free.pose, force);
   return Balance{contact::on_rotor(force, free.direction), share, rotor::share_of(force, share)};

@@ -334,7 +334,11 @@ ending::PointStatus Motion::reset(const modes::ModeEnd& end, modes::MotionListen
 
 ending::StatusDetail Motion::touch_down(int blade, modes::MotionListener& listener) {
   ++work_.touchdowns;
-  if (!open(blade, place(blade))) return ending::StatusDetail::no_equilibrium;
+  // It is at the ring: what rounding leaves of the gap of a fast tip would bend a blade, or end its contact.
+  modes::TipPlace at = place(blade);
+  const bool off_ring = std::abs(at.pose.gap) > contact::gap_rounding(law().geometry(blade), at.pose);
+  if (off_ring && !law().kind().lifts_off_inside) at.pose.gap = 0.0;
+  if (!open(blade, at)) return ending::StatusDetail::no_equilibrium;
   const ending::StatusDetail settled = settle_others(blade, listener);
   tell(listener, modes::Guard::touch_down, blade, contacts_.back().slip);
   return settled;

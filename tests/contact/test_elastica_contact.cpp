@@ -200,6 +200,19 @@ TEST(ElasticaContact, ForceSetsInAsFarPastTopDeadCentreHoweverLittleThatIs) {
   EXPECT_EQ(force(0.0, -1e-18), 0.0) << "head-on the force sets in from zero";
 }
 
+TEST(ElasticaContact, ForceWithNextToNoFrictionSetsInNearTheEulerLoad) {
+  // The load takes a blade up to where it buckles by less than the first knots of the table bend it.
+  const ElasticaContact law = kDefaultRotor.contact(1e-14);
+  for (const double gap : {0.0, -1e-18}) {
+    const Pose at{0.01, -1e-5, 0.0, 0.0, gap};
+    const auto root = law.solve(at, 1.0);
+    ASSERT_TRUE(root.has_value());
+    EXPECT_NEAR(law.gap_per_deflection(at, 1.0, *root), 0.0, 1e-15);
+    const double force = law.constraint(at, 1.0, *root, 0.3).force.normal;
+    EXPECT_NEAR(force, kDefaultRotor.euler_load(), 1e-3 * kDefaultRotor.euler_load()) << gap;
+  }
+}
+
 TEST(ElasticaContact, ColumnJumpsToTheEulerLoadAtTouchDown) {
   const ElasticaContact law = kDefaultRotor.contact(0.0);
   for (const double lateral : {0.0, 1e-3}) {
