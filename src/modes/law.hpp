@@ -51,7 +51,7 @@ class Law {
     bool sticks = false;            ///< a tip whose slip velocity comes to zero may rest at once (MODEL 7.14)
     bool load_follows_gap = false;  ///< the force follows from the place of the tip alone, and nothing bends
     bool remembers = false;         ///< the last bending says on which branch or side a blade stands
-    bool lifts_off_inside = false;  ///< a blade may leave a ring that it has pushed outwards (MODEL 7.16)
+    bool lifts_off_inside = false;  ///< an elastic blade may leave the ring where it has pushed it outwards
     std::int64_t price_of_curve = 0;  ///< of an evaluation of a blade's curve [ns]
     bool searches_long = false;  ///< without a table a search may take milliseconds, and is paid for at once
   };
