@@ -49,6 +49,14 @@ ContactArc::Point ContactArc::solved_at_fraction(double fraction) {
   return cut(made(), fraction, trial()) ? end_of(trial()) : point_at(fraction);
 }
 
+contact::BladeDirection ContactArc::direction_at_node(int blade, std::size_t node) const {
+  const contact::BladeDirection leader{made().blade_x[node], made().blade_y[node]};
+  if (blade == blade_) return leader;
+  const std::array<double, 2>& offset = made().further[number_of(blade)].offset;
+  return {leader.cosine * offset[0] - leader.sine * offset[1],
+          leader.sine * offset[0] + leader.cosine * offset[1]};
+}
+
 ContactArc::Stretch ContactArc::stretch(double from, double to) const {
   return {from, to, from <= start_.time ? 0.0 : fraction_at(from), last_fraction(to)};
 }

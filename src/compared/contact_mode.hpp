@@ -68,8 +68,8 @@ class ContactMode : public TipPlaces {
   static constexpr double kSmallestSize = 1e-15;  ///< in σ
   /// A tip whose slip velocity comes to zero may rest at once, as in MODEL 7.14.
   [[nodiscard]] bool rests_at_once() const { return kind_.sticks; }
-  /// The path of the mode is known as `trajectory::PathPoint`.
-  static constexpr bool kHasPath = false;
+  /// The contacts of `trajectory::PathPoint` say how far blades are bent.
+  static constexpr bool kBendsFollowPath = false;
 
   /// A guess holds the side to which a blade is bent, or the branch on which it stands: what a step that goes
   /// too far has made of it is no guess for a shorter one.

@@ -128,24 +128,25 @@ class ContactPhase final : public Phase {
   [[nodiscard]] trajectory::Tip tip(int blade, double time) override {
     return mode_.tip(blade, full_state_at(time));
   }
-  [[nodiscard]] bool path([[maybe_unused]] double share,
-                          [[maybe_unused]] trajectory::PathPoint& point) override {
-    if constexpr (Mode::kHasPath) {
-      place_on_path(share, point);
-      return true;
+  void path(double share, trajectory::PathPoint& point,
+            std::vector<trajectory::ContactForce>* forces) override {
+    const double from = fraction_at(segment_begin_);
+    const double length = fraction_at(segment_limit_) - from;
+    const double fraction = from + share * share * (3.0 - 2.0 * share) * length;
+    const FullState full = step_.at_fraction(fraction);
+    point.time = full[rotor::kTime];
+    point.time_rate = 6.0 * share * (1.0 - share) * length * step_.size();
+    point.state = rotor::as_array(full.template head<4>());
+    point.ring = rotor::as_array(rotor::ring(full));
+    point.contacts.clear();
+    if (forces != nullptr) forces->clear();
+    for (std::size_t i = 0; i < mode_.contacts().size(); ++i) {
+      if (forces != nullptr) forces->push_back(contact_force(i, full));
+      if (!Mode::kBendsFollowPath) continue;
+      const OpenContact open = mode_.contact_in(i, full);
+      point.contacts.push_back({open.blade, open.slip, open.bending, 0.0, false, open.bend.modulus,
+                                open.bend.amplitude, 0.0, 0.0});
     }
-    return false;
-  }
-  [[nodiscard]] bool forces_on_path([[maybe_unused]] double share,
-                                    [[maybe_unused]] trajectory::PathPoint& point,
-                                    [[maybe_unused]] std::vector<trajectory::ContactForce>& forces) override {
-    if constexpr (Mode::kHasPath) {
-      const FullState full = place_on_path(share, point);
-      forces.clear();
-      for (std::size_t i = 0; i < mode_.contacts().size(); ++i) forces.push_back(contact_force(i, full));
-      return true;
-    }
-    return false;
   }
 
   [[nodiscard]] std::uint64_t evaluations() const override { return mode_.evaluations(); }
@@ -167,26 +168,6 @@ class ContactPhase final : public Phase {
     const contact::TipForce force = mode_.force(contact, full);
     return mode_.on_rotor(contact, force, mode_.friction_of(contact, force, full), full);
   }
-  /// The state at a share of the piece, which goes into `point` too.
-  FullState place_on_path(double share, trajectory::PathPoint& point) {
-    const double from = fraction_at(segment_begin_);
-    const double length = fraction_at(segment_limit_) - from;
-    // A force that starts or ends like a square root of the time is smooth along this path.
-    const double fraction = from + share * share * (3.0 - 2.0 * share) * length;
-    FullState full = step_.at_fraction(fraction);
-    point.time = full[rotor::kTime];
-    point.time_rate = 6.0 * share * (1.0 - share) * length * step_.size();
-    point.state = rotor::as_array(full.template head<4>());
-    point.ring = rotor::as_array(rotor::ring(full));
-    point.contacts.clear();
-    for (std::size_t i = 0; i < mode_.contacts().size(); ++i) {
-      const OpenContact open = mode_.contact_in(i, full);
-      point.contacts.push_back({open.blade, open.slip, open.bending, 0.0, false, open.bend.modulus,
-                                open.bend.amplitude, 0.0, 0.0});
-    }
-    return full;
-  }
-
   /// A force that starts or ends like a root of the time: lift-off would be read from the middle of dense
   /// output, whose error the estimate at the end of the step does not tell.
   [[nodiscard]] bool holds_whole_contact() const {

@@ -52,7 +52,7 @@ void touch_downs_of_damped_ring(const Mode& mode, Search& search) {
 class DampedRing : public Solved {
  public:
   using Solved::Solved;
-  static constexpr bool kHasPath = false;
+  static constexpr bool kBendsFollowPath = false;
 
   template <class Search>
   void guards(Search& search) {

@@ -16,7 +16,7 @@ namespace rubatlas::compared {
 class FollowingRing : public Solved {
  public:
   explicit FollowingRing(const modes::ContactSetup& setup) : Solved(setup), placer_(setup) {}
-  static constexpr bool kHasPath = false;
+  static constexpr bool kBendsFollowPath = false;
 
   bool operator()(const FullState& state, FullState& derivative) {
     FullState placed = state;

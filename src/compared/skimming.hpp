@@ -18,7 +18,7 @@ namespace rubatlas::compared {
 class Skimming : public Solved {
  public:
   explicit Skimming(const modes::ContactSetup& setup) : Solved(setup), judge_(setup) {}
-  static constexpr bool kHasPath = false;
+  static constexpr bool kBendsFollowPath = false;
 
   bool operator()(const FullState& state, FullState& derivative) {
     ++evaluations_;

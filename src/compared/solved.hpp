@@ -19,7 +19,7 @@ namespace rubatlas::compared {
 class Solved : public ContactMode<> {
  public:
   using ContactMode::ContactMode;
-  static constexpr bool kHasPath = true;
+  static constexpr bool kBendsFollowPath = true;
 
   bool operator()(const FullState& state, FullState& derivative) {
     ++evaluations_;

@@ -15,7 +15,7 @@ namespace rubatlas::compared {
 class StickingElastic : public Solved {
  public:
   explicit StickingElastic(const modes::ContactSetup& setup) : Solved(setup), rest_(setup) {}
-  static constexpr bool kHasPath = false;
+  static constexpr bool kBendsFollowPath = false;
 
   /// A tip at rest comes loose where it is positive.
   [[nodiscard]] double excess(std::size_t contact, const FullState& state) const {

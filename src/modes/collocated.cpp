@@ -198,9 +198,9 @@ double Collocated::root_strain(std::size_t contact, double time) {
 trajectory::ContactForce Collocated::contact_force(std::size_t contact, double time) {
   return contact_force(contact, arc_.solved_at(time));
 }
-trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Point& point) const {
+trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Point& point,
+                                                   const contact::BladeDirection& er) const {
   const collocation::Touch touch = arc_.touch_of(blade(contact), point);
-  const contact::BladeDirection er = direction(touch.blade, point.time);
   const contact::Pose at = pose(touch.blade, point, er);
   const double speed = blades_->angular_speed(point.time);
   const contact::TipForce tip_force = law_->force(touch, at, speed);
@@ -245,21 +245,6 @@ trajectory::Tip Collocated::deepest(std::size_t contact, double enough) {
   return tip(number, deep ? arc_.point_at(top->fraction) : arc_.solved_at_fraction(top->fraction));
 }
 
-bool Collocated::path(double share, trajectory::PathPoint& point) {
-  if (any_rests()) return false;
-  place_on_path(share, point);
-  return true;
-}
-
-bool Collocated::forces_on_path(double share, trajectory::PathPoint& point,
-                                std::vector<trajectory::ContactForce>& forces) {
-  if (any_rests()) return false;
-  const Point there = place_on_path(share, point);
-  forces.clear();
-  for (std::size_t i = 0; i < contacts_.size(); ++i) forces.push_back(contact_force(i, there));
-  return true;
-}
-
 bool Collocated::solved_places(bool with_forces, const trajectory::VisitPlace& visit) {
   if (!is_whole() || !arc_.ends_at_last_node()) return false;
   for (std::size_t node = 0; node < collocation::kNodes; ++node) {
@@ -267,13 +252,14 @@ bool Collocated::solved_places(bool with_forces, const trajectory::VisitPlace& v
     const trajectory::State state = rotor::as_array(rotor::shaft(there.bodies));
     forces_at_node_.clear();
     for (std::size_t i = 0; with_forces && i < contacts_.size(); ++i)
-      forces_at_node_.push_back(contact_force(i, there));
+      forces_at_node_.push_back(contact_force(i, there, arc_.direction_at_node(blade(i), node)));
     visit({arc_.weight_of_node(node), there.time, state, forces_at_node_});
   }
   return true;
 }
 
-Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint& point) {
+void Collocated::path(double share, trajectory::PathPoint& point,
+                      std::vector<trajectory::ContactForce>* forces) {
   if (!piece_stretch_) piece_stretch_ = {arc_.fraction_at(piece_begin_), arc_.fraction_at(piece_end_)};
   const auto [from, to] = *piece_stretch_;
   const double length = to - from;
@@ -287,7 +273,12 @@ Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint&
   point.time_rate = length * rate.time;
   point.state = rotor::as_array(rotor::shaft(there.bodies));
   point.ring = rotor::as_array(rotor::ring(there.bodies));
+  if (forces != nullptr) {
+    forces->clear();
+    for (std::size_t i = 0; i < contacts_.size(); ++i) forces->push_back(contact_force(i, there));
+  }
   point.contacts.clear();
+  if (any_rests()) return;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const OpenContact open = contact_in(i, there);
     const bool leads = open.blade == arc_.leader();
@@ -297,7 +288,6 @@ Collocated::Point Collocated::place_on_path(double share, trajectory::PathPoint&
                               open.bend.modulus, open.bend.amplitude, length * rates.modulus,
                               length * rates.amplitude});
   }
-  return there;
 }
 
 /// Under an inclined load neither need follow the bending.

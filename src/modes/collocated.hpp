@@ -70,10 +70,8 @@ class Collocated final : public Phase {
   [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(
       double known, const trajectory::PointConstants& point) override;
   [[nodiscard]] trajectory::Tip deepest(std::size_t contact, double enough) override;
-  [[nodiscard]] bool path(double share, trajectory::PathPoint& point) override;
-  [[nodiscard]] bool forces_on_path(double share, trajectory::PathPoint& point,
-                                    std::vector<trajectory::ContactForce>& forces) override;
-
+  void path(double share, trajectory::PathPoint& point,
+            std::vector<trajectory::ContactForce>* forces) override;
   bool solved_places(bool with_forces, const trajectory::VisitPlace& visit) override;
 
   /// Right-hand sides: one at each node in each sweep.
@@ -101,9 +99,11 @@ class Collocated final : public Phase {
   [[nodiscard]] contact::TipForce force(std::size_t contact, const Point& point) const;
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const Point& point) const;
   [[nodiscard]] LargestLoad largest_kept(trajectory::Load load, std::size_t contact, double known);
-  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, const Point& point) const;
-  /// The place on the interval at a share of the piece, which goes into `point` too.
-  Point place_on_path(double share, trajectory::PathPoint& point);
+  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, const Point& point) const {
+    return contact_force(contact, point, direction(blade(contact), point.time));
+  }
+  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, const Point& point,
+                                                       const contact::BladeDirection& er) const;
 
   std::unique_ptr<collocation::ArcLaw> law_;
   const rotor::RipplingBlades* blades_;

@@ -24,8 +24,11 @@ inline trajectory::ContactForce contact_force(const contact::TipForce& force, co
                                               double angular_speed) {
   // All along and across the blade.
   using Complex = std::complex<double>;
-  const Complex normal = -Complex(force.radial, force.tangential) / Complex(1.0, rubbing.coefficient);  // F n
-  const Complex tangent(-normal.imag(), normal.real());                                                 // F t
+  const double coefficient = rubbing.coefficient;
+  const Complex normal = Complex(coefficient * force.tangential + force.radial,
+                                 force.tangential - coefficient * force.radial) *
+                         (-1.0 / (1.0 + coefficient * coefficient));  // F n
+  const Complex tangent(-normal.imag(), normal.real());               // F t
   const auto along_tangent = [&](double radial, double tangential) {
     return radial * tangent.real() + tangential * tangent.imag();
   };

@@ -73,6 +73,17 @@ Tip MotionPiece::deepest(std::size_t contact, double enough) {
   return at(integrate::root_between(rate, 0.0, 1.0, at_begin.rate, at_end.rate, kBits));
 }
 
+void MotionPiece::path(double share, PathPoint& point, std::vector<ContactForce>* forces) {
+  const double length = end() - begin();
+  point.time = begin() + length * share * share * (3.0 - 2.0 * share);
+  point.time_rate = 6.0 * share * (1.0 - share) * length;
+  point.state = state(point.time);
+  point.contacts.clear();
+  if (forces == nullptr) return;
+  forces->clear();
+  for (std::size_t i = 0; i < contact_count(); ++i) forces->push_back(contact_force(i, point.time));
+}
+
 MotionPiece::LargestLoad MotionPiece::largest(Load load, std::size_t contact, double known) {
   const auto at = [&](double share) {
     const double time = time_at(share);

@@ -83,8 +83,8 @@ struct PathPoint {
   double time = 0.0;       ///< τ of the revolution
   double time_rate = 0.0;  ///< dτ/dθ
   State state{};
-  State ring{};  ///< as `state`, of a ring that is a body; zero of one that rests
-  std::vector<Contact> contacts;
+  State ring{};                   ///< as `state`, of a ring that is a body; zero of one that rests
+  std::vector<Contact> contacts;  ///< none where the bends are no functions of the path
 };
 
 /// A place of a piece. ∫ f dτ over the piece is the sum of weight × f at its places.
@@ -146,13 +146,9 @@ class MotionPiece {
   /// Where the undeformed tip of a blade in contact overlaps the ring most within the piece, the place where
   /// it begins left out. Where the overlap is beyond `enough` [m] it may be less accurate.
   [[nodiscard]] virtual Tip deepest(std::size_t contact, double enough);
-  /// The path at a share θ of the piece, which is in contact. False where its mode has no such path.
-  [[nodiscard]] virtual bool path(double /*share*/, PathPoint& /*point*/) { return false; }
-  /// The same with the forces of the contacts there.
-  [[nodiscard]] virtual bool forces_on_path(double /*share*/, PathPoint& /*point*/,
-                                            std::vector<ContactForce>& /*forces*/) {
-    return false;
-  }
+  /// The path at a share θ of the piece, which is in contact, and the forces of its contacts there where they
+  /// are asked for. A force that starts or ends like a root of the time (MODEL 3.3) is smooth along the path.
+  virtual void path(double share, PathPoint& point, std::vector<ContactForce>* forces);
   /// Calls `visit` for the places at which the equations of the piece have been solved, where that is how it
   /// has been computed; else false.
   virtual bool solved_places(bool /*with_forces*/, const VisitPlace& /*visit*/) { return false; }

@@ -16,7 +16,6 @@ class PlacesInPiece {
   void states(MotionPiece& piece, double fastest, const VisitPlace& visit);
 
  private:
-  bool find(MotionPiece& piece, double share, bool with_forces);
   void in_contact(MotionPiece& piece, bool with_forces, const VisitPlace& visit);
 
   PathPoint point_;

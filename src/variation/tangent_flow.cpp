@@ -260,14 +260,11 @@ void TangentFlow::follow(trajectory::MotionPiece& piece) {
   PathScale scale{0.0, 0.0};
   for (int i = 0; i < kStages; ++i) {
     auto& [point, acceleration] = stages[static_cast<std::size_t>(i)];
-    if (contact_.needs_acceleration()) {
-      if (!piece.forces_on_path(method.node[i], point, forces)) return loses_track();
-      std::complex<double> sum;
-      for (const trajectory::ContactForce& force : forces) sum += force.on_rotor;
-      acceleration = seen_acceleration(point, {sum.real(), sum.imag()});
-    } else if (!piece.path(method.node[i], point)) {
-      return loses_track();
-    }
+    piece.path(method.node[i], point, contact_.needs_acceleration() ? &forces : nullptr);
+    if (point.contacts.empty()) return loses_track();
+    std::complex<double> sum;
+    for (const trajectory::ContactForce& force : forces) sum += force.on_rotor;
+    if (contact_.needs_acceleration()) acceleration = seen_acceleration(point, {sum.real(), sum.imag()});
     point.state = seen(point);
     scale.time_rate = std::max(scale.time_rate, std::abs(point.time_rate));
     for (const auto& contact : point.contacts) {
@@ -335,7 +332,7 @@ void TangentFlow::follow(trajectory::MotionPiece& piece) {
   }
 
   force_ = force_in(piece, piece.end());
-  if (!piece.path(1.0, point_)) return loses_track();
+  piece.path(1.0, point_, nullptr);
 }
 
 void TangentFlow::jump(trajectory::MotionPiece& piece, const Eigen::Vector2d& force) {
@@ -345,7 +342,10 @@ void TangentFlow::jump(trajectory::MotionPiece& piece, const Eigen::Vector2d& fo
   if (events.size() > 1) return loses_track();
   const auto [blade, of_slip] = events.front();
   trajectory::PathPoint at = point_;  // the end of the contact, where flight follows
-  if (piece.contact_count() > 0 && !piece.path(0.0, at)) return loses_track();
+  if (piece.contact_count() > 0) {
+    piece.path(0.0, at, nullptr);
+    if (at.contacts.empty()) return loses_track();
+  }
   ContactStiffness::Guard guard;
   if (of_slip) {
     const auto contact = std::ranges::find(point_.contacts, blade, &trajectory::PathPoint::Contact::blade);

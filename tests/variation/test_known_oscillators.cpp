@@ -91,13 +91,13 @@ class AlongX final : public trajectory::MotionPiece {
     const auto [place, velocity] = beyond(time);
     return {place, velocity, 0.0};
   }
-  [[nodiscard]] bool path(double share, trajectory::PathPoint& point) override {
+  void path(double share, trajectory::PathPoint& point,
+            std::vector<trajectory::ContactForce>* /*forces*/) override {
     point.time_rate = end_ - begin_;
     point.time = begin_ + share * point.time_rate;
     point.state = state(point.time);
     point.contacts.clear();
     if (stiffness_ > 0.0) point.contacts.push_back({0, 1.0, 0.0, 0.0, false});
-    return true;
   }
   /// The first time after the beginning at which the shaft is at the wall; `step`: shorter than it stays
   /// away.
