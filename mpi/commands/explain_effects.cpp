@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,15 +43,15 @@ struct ActingLines {
 
 /// Whether an effect acts is a matter of its own quantities, and of friction where it needs that: only their
 /// axes are walked along.
-template <auto Effect>
-ActingLines lines_where_it_acts(const settings::Scene& scene, const plan::Grid& grid) {
+ActingLines lines_where_it_acts(std::size_t place, const settings::Scene& scene, const plan::Grid& grid) {
   constexpr std::size_t kMostLooks = 200'000;
-  constexpr std::string_view kSection = effects::Settings<Effect>::kDescription.section;
+  const effects::Listed& listed = effects::listed()[place];
+  const bool is_in = listed.is_in(scene);
   std::vector<settings::Axis> own;
   for (auto& axis : settings::axes_of(scene)) {
     const bool friction =
-        settings::kNeedFriction.contains<Effect>() && axis.quantity->pointer == "/contact/friction";
-    if (axis.quantity->section() == kSection || friction) own.push_back(std::move(axis));
+        settings::kNeedFriction.contains(place) && axis.quantity->pointer == "/contact/friction";
+    if (axis.quantity->section() == listed.description.section || friction) own.push_back(std::move(axis));
   }
   settings::Scene trial = scene;
   trial.grid = {};
@@ -67,18 +66,18 @@ ActingLines lines_where_it_acts(const settings::Scene& scene, const plan::Grid& 
       const double value = axis.values[rest % axis.values.size()];
       rest /= axis.values.size();
       // The axis of an effect that is absent has the value 0: naming it would switch the effect on.
-      if ((scene.*Effect) || value != 0.0) axis.quantity->write(trial, value);
+      if (is_in || value != 0.0) axis.quantity->write(trial, value);
     }
-    if (settings::acting(trial).contains<Effect>()) result.count += lines_of_look;
+    if (settings::acting(trial).contains(place)) result.count += lines_of_look;
   }
-  if (!result.counted && scene.*Effect) result.count = std::max<std::size_t>(result.count, 1);
+  if (!result.counted && is_in) result.count = std::max<std::size_t>(result.count, 1);
   return result;
 }
 
 /// The scene as if nobody had named the effect.
-template <auto Effect>
-settings::Scene without(settings::Scene scene, std::string_view section) {
-  (scene.*Effect).reset();
+settings::Scene without(const effects::Listed& listed, settings::Scene scene) {
+  const std::string_view section = listed.description.section;
+  listed.remove(scene);
   std::erase_if(scene.grid.swept,
                 [&](const auto& swept) { return settings::quantity(swept.pointer).section() == section; });
   for (const auto& axis : settings::grid_axes()) {
@@ -128,22 +127,21 @@ std::string cost_text(std::optional<double> with, std::optional<double> without,
       1e9 * *with, 1e9 * *without, 100.0 * (*with / *without - 1.0));
 }
 
-template <auto Effect>
-void describe(const settings::Scene& scene, const plan::Grid& grid, const modes::GoOn& go_on, Text& text) {
-  using Settings = effects::Settings<Effect>;
-  constexpr auto& kDescription = Settings::kDescription;
-  const std::string name = settings::axis_name(kDescription.section);
-  const bool present = (scene.*Effect).has_value();
-  const ActingLines acting = lines_where_it_acts<Effect>(scene, grid);
-  if (!present && acting.count == 0) {
+void describe(std::size_t place, const settings::Scene& scene, const plan::Grid& grid,
+              const modes::GoOn& go_on, Text& text) {
+  const effects::Listed& listed = effects::listed()[place];
+  const effects::Description& description = listed.description;
+  const std::string name = settings::axis_name(description.section);
+  const ActingLines acting = lines_where_it_acts(place, scene, grid);
+  if (!listed.is_in(scene) && acting.count == 0) {
     effect(text, name, false,
            fmt::format("no section `{}`{}: no term in the equations", name,
-                       has_axis_of_its_own(kDescription.section) ? " and no grid axis of that name" : ""));
+                       has_axis_of_its_own(description.section) ? " and no grid axis of that name" : ""));
     return;
   }
-  const std::string quantities = quantities_text(scene, kDescription.section);
+  const std::string quantities = quantities_text(scene, description.section);
   if (acting.count == 0) {
-    const bool has_strength = effects::acts<Effect>(scene);
+    const bool has_strength = listed.acts(scene);
     effect(text, name, false,
            fmt::format("{}: {}, no term in the equations", quantities,
                        has_strength ? "nothing to act on without friction" : "of zero strength"));
@@ -156,12 +154,12 @@ void describe(const settings::Scene& scene, const plan::Grid& grid, const modes:
     where = fmt::format("; no term on {} of {} lines", grid.line_count() - acting.count, grid.line_count());
   }
   effect(text, name, true, quantities + where);
-  more(text, fmt::format("{} ({})", kDescription.equation, kDescription.source));
+  more(text, fmt::format("{} ({})", description.equation, description.source));
   const auto with = seconds_per_right_hand_side(scene, go_on);
-  const auto plain = seconds_per_right_hand_side(without<Effect>(scene, kDescription.section), go_on);
+  const auto plain = seconds_per_right_hand_side(without(listed, scene), go_on);
   more(text, cost_text(with, plain, go_on()));
   more(text, fmt::format("flight: {}", settings::method_of(scene).flies_in_closed_form
-                                           ? kDescription.flight
+                                           ? description.flight
                                            : "in the steps of the method, as all of the motion"));
 }
 
@@ -207,7 +205,8 @@ void describe_effects(const settings::Scene& scene, const modes::GoOn& go_on, Te
          scene.validity.yield_strain ? fmt::format("root strain above {}", *scene.validity.yield_strain)
                                      : std::string("no `validity.yield_strain`"));
   const plan::Grid grid(scene);
-  effects::for_each_effect([&]<auto Effect>() { describe<Effect>(scene, grid, go_on, text); });
+  for (std::size_t place = 0; place < effects::listed().size(); ++place)
+    describe(place, scene, grid, go_on, text);
 }
 
 }  // namespace rubatlas::mpi

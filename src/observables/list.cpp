@@ -203,24 +203,22 @@ std::vector<Description> descriptions(const settings::Scene& scene) {
 
 std::vector<Description> memories(const settings::Scene& scene) {
   std::vector<Description> result;
-  effects::for_each_effect([&]<auto Effect>() {
-    using Settings = effects::Settings<Effect>;
-    if constexpr (requires { Settings::kMemory; }) {
-      constexpr std::string_view kSection = Settings::kDescription.section;
-      const bool swept = std::ranges::any_of(scene.grid.swept, [&](const settings::PointerAxis& axis) {
-        return axis.pointer.starts_with(std::string(kSection) + '/');
-      });
-      if (!swept && !effects::acts<Effect>(scene)) return;
-      std::string name = "final_state" + std::string(kSection);
-      std::ranges::replace(name, '/', '_');
-      const std::string axis(Settings::kMemory.inner_axis);
-      result.push_back({name,
-                        {axis},
-                        std::string(Settings::kMemory.units),
-                        std::string(Settings::kMemory.long_name),
-                        inner_axis_size(axis, scene)});
-    }
-  });
+  for (const effects::Listed& effect : effects::listed()) {
+    if (!effect.memory) continue;
+    const std::string section(effect.description.section);
+    const bool swept = std::ranges::any_of(scene.grid.swept, [&](const settings::PointerAxis& axis) {
+      return axis.pointer.starts_with(section + '/');
+    });
+    if (!swept && !effect.acts(scene)) continue;
+    std::string name = "final_state" + section;
+    std::ranges::replace(name, '/', '_');
+    const std::string axis(effect.memory->inner_axis);
+    result.push_back({name,
+                      {axis},
+                      std::string(effect.memory->units),
+                      std::string(effect.memory->long_name),
+                      inner_axis_size(axis, scene)});
+  }
   return result;
 }
 

@@ -21,12 +21,12 @@ namespace {
 
 using effects::Effects;
 
-template <class Is>
-EffectSet effects_that(Is is) {
+EffectSet effects_that(bool (*effects::Listed::*is)(const Effects&), const Scene& scene) {
   EffectSet result;
-  effects::for_each_effect([&]<auto Effect>() {
-    if (is.template operator()<Effect>()) result.insert<Effect>();
-  });
+  const auto all = effects::listed();
+  for (std::size_t place = 0; place < all.size(); ++place) {
+    if ((all[place].*is)(scene)) result.insert(place);
+  }
   return result;
 }
 
@@ -305,19 +305,20 @@ std::span<const Family> families() {
 }
 
 EffectSet given(const Scene& scene) {
-  return effects_that([&]<auto Effect>() { return (scene.*Effect).has_value(); });
+  return effects_that(&effects::Listed::is_in, scene);
 }
 
 EffectSet acting(const Scene& line) {
-  const EffectSet all = effects_that([&]<auto Effect>() { return effects::acts<Effect>(line); });
+  const EffectSet all = effects_that(&effects::Listed::acts, line);
   return line.contact.friction == 0.0 ? all - kNeedFriction : all;
 }
 
 std::vector<std::string_view> EffectSet::sections() const {
   std::vector<std::string_view> result;
-  effects::for_each_effect([&]<auto Effect>() {
-    if (contains<Effect>()) result.push_back(effects::Settings<Effect>::kDescription.section);
-  });
+  const auto all = effects::listed();
+  for (std::size_t place = 0; place < all.size(); ++place) {
+    if (contains(place)) result.push_back(all[place].description.section);
+  }
   return result;
 }
 

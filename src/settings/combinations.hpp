@@ -33,6 +33,9 @@ class EffectSet {
   constexpr void insert() {
     bits_ |= bit<Effect>();
   }
+  /// By the place in `effects::listed`.
+  [[nodiscard]] bool contains(std::size_t place) const { return (bits_ >> place & 1U) != 0; }
+  void insert(std::size_t place) { bits_ |= 1U << place; }
   [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }
   [[nodiscard]] constexpr bool is_within(EffectSet other) const { return (bits_ & ~other.bits_) == 0; }
 

@@ -28,13 +28,13 @@ using Section = std::pair<std::string, json>;
 
 std::vector<Section> sections() {
   std::vector<Section> found;
-  effects::for_each_effect([&]<auto Effect>() {
-    json scene = effect_scene<Effect>(0.5, 1);
+  for (const effects::Listed& effect : effects::listed()) {
+    json scene = effect_scene(name_of(effect), 0.5, 1);
     // In a ring as soft as that scene's no tip is held beyond the ring: `release` would have nothing to act
     // on.
-    if (name_of<Effect>() == "yielding_ring") scene["yielding_ring"]["compliance"] = 1e-6;
-    found.emplace_back(name_of<Effect>(), scene.at(name_of<Effect>()));
-  });
+    if (name_of(effect) == "yielding_ring") scene["yielding_ring"]["compliance"] = 1e-6;
+    found.emplace_back(name_of(effect), scene.at(name_of(effect)));
+  }
   return found;
 }
 

@@ -41,13 +41,13 @@ std::vector<NamedScene> all_scenes() {
   const Json ten = with(plain, {{"blades", {{"count", 10}}}});
   const Json normal_load = {{"load_direction", {{"along_normal", true}}}};
   const Json steep = {{"regularised_friction", {{"velocity", 0.01}}}};
-  const Json stribeck = {{"stribeck", effect_scene<&effects::Effects::stribeck>(0.5, 1).at("stribeck")}};
+  const Json stribeck = {{"stribeck", effect_scene("stribeck", 0.5, 1).at("stribeck")}};
   const Json ring_body = {{"ring_body", {{"mass", 1.0}, {"compliance", 1e-4}, {"damping", 40.0}}}};
   const Json stick = {{"contact", {{"friction", 0.5}}}, {"stick", Json::object()}};
   std::vector<NamedScene> scenes = {{"elastica", plain}, {"elastic_ring", rigid}};
-  effects::for_each_effect([&]<auto Effect>() {
-    scenes.push_back({name_of<Effect>(), effect_scene<Effect>(0.5, 1)});
-  });
+  for (const effects::Listed& effect : effects::listed()) {
+    scenes.push_back({name_of(effect), effect_scene(name_of(effect), 0.5, 1)});
+  }
   scenes.push_back({"ten_blades", ten});
   scenes.push_back({"ten_blades_under_the_normal_load", with(ten, normal_load)});
   scenes.push_back({"steep_friction", with(plain, steep)});

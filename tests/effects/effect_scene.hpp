@@ -6,8 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <type_traits>
-#include <utility>
+#include <vector>
 
 #include "../support/point.hpp"
 #include "settings/quantity.hpp"
@@ -16,13 +15,9 @@
 
 namespace rubatlas::test {
 
-template <auto Effect>
-using SettingsOf = effects::Settings<Effect>;
-
 /// "speed_ripple" for the section "/speed_ripple".
-template <auto Effect>
-std::string name_of() {
-  return settings::axis_name(SettingsOf<Effect>::kDescription.section);
+inline std::string name_of(const effects::Listed& effect) {
+  return settings::axis_name(effect.description.section);
 }
 
 /// Quantities of a section, in the reader's table.
@@ -36,10 +31,9 @@ inline std::vector<const settings::Quantity*> quantities_of(std::string_view sec
 
 /// `jobs/effect_<name>.json`, shortened to a few revolutions at one speed ratio. Throws SceneError where
 /// there is no such scene.
-template <auto Effect>
-nlohmann::json effect_scene(double speed_ratio, int revolutions) {
+inline nlohmann::json effect_scene(const std::string& name, double speed_ratio, int revolutions) {
   auto scene = nlohmann::json::parse(
-      settings::read_text(std::string(RUBATLAS_SOURCE_DIR "/jobs/effect_") + name_of<Effect>() + ".json"));
+      settings::read_text(std::string(RUBATLAS_SOURCE_DIR "/jobs/effect_") + name + ".json"));
   scene["grid"]["speed_ratio"] = speed_ratio;
   scene["protocol"] = {{"transient_revolutions", 0}, {"sampled_revolutions", revolutions}};
   scene["observables"] = {"poincare", "max_displacement", "max_contact_force"};
@@ -47,9 +41,8 @@ nlohmann::json effect_scene(double speed_ratio, int revolutions) {
 }
 
 /// The same scene without the effect's section.
-template <auto Effect>
-nlohmann::json without(nlohmann::json scene) {
-  const nlohmann::json::json_pointer section{std::string(SettingsOf<Effect>::kDescription.section)};
+inline nlohmann::json without(const effects::Listed& effect, nlohmann::json scene) {
+  const nlohmann::json::json_pointer section{std::string(effect.description.section)};
   scene.at(section.parent_pointer()).erase(section.back());
   return scene;
 }

@@ -34,28 +34,33 @@ double number(const settings::Value& value) {
 
 TEST(EveryEffect, SaysWhatItIsWhereItComesFromAndWhatBecomesOfFlight) {
   std::set<std::string_view> sections;
-  effects::for_each_effect([&]<auto Effect>() {
-    SCOPED_TRACE(name_of<Effect>());
-    constexpr auto& kDescription = SettingsOf<Effect>::kDescription;
-    EXPECT_TRUE(kDescription.section.starts_with('/'));
-    EXPECT_NE(kDescription.meaning, "");
-    EXPECT_NE(kDescription.equation, "");
-    EXPECT_NE(kDescription.source, "");
-    EXPECT_NE(kDescription.flight, "");
-    EXPECT_TRUE(sections.insert(kDescription.section).second) << "two effects in one section";
-  });
+  for (const effects::Listed& effect : effects::listed()) {
+    SCOPED_TRACE(name_of(effect));
+    const effects::Description& description = effect.description;
+    EXPECT_TRUE(description.section.starts_with('/'));
+    EXPECT_NE(description.meaning, "");
+    EXPECT_NE(description.equation, "");
+    EXPECT_NE(description.source, "");
+    EXPECT_NE(description.flight, "");
+    EXPECT_TRUE(sections.insert(description.section).second) << "two effects in one section";
+  }
   EXPECT_GE(sections.size(), 5U);
 }
 
-TEST(EveryEffect, HasItsQuantitiesInItsSectionDescribedAndWithDefaultsInRange) {
-  effects::for_each_effect([&]<auto Effect>() {
-    SCOPED_TRACE(name_of<Effect>());
-    constexpr auto kSection = SettingsOf<Effect>::kDescription.section;
-    const auto entries = quantities_of(kSection);
-    EXPECT_EQ(entries.size(), std::tuple_size_v<decltype(SettingsOf<Effect>::quantities())>)
-        << "a quantity outside of the effect's section";
+TEST(EveryEffect, HasAllOfItsQuantitiesInItsSection) {
+  effects::for_each_effect([]<auto Effect>() {
+    using Settings = effects::Settings<Effect>;
+    EXPECT_EQ(quantities_of(Settings::kDescription.section).size(),
+              std::tuple_size_v<decltype(Settings::quantities())>);
+  });
+}
+
+TEST(EveryEffect, DescribesItsQuantitiesWithDefaultsInRange) {
+  for (const effects::Listed& effect : effects::listed()) {
+    SCOPED_TRACE(name_of(effect));
+    const auto entries = quantities_of(effect.description.section);
     settings::Scene present;
-    (present.*Effect).emplace();
+    effect.add(present);
     for (const Quantity* entry : entries) {
       SCOPED_TRACE(entry->pointer);
       EXPECT_NE(entry->meaning, "");
@@ -68,20 +73,20 @@ TEST(EveryEffect, HasItsQuantitiesInItsSectionDescribedAndWithDefaultsInRange) {
       EXPECT_TRUE(entry->range.contains(number(*value))) << number(*value);
       EXPECT_LT(entry->range.low, entry->range.high);
     }
-  });
+  }
 }
 
 TEST(EveryEffect, IsOffWithoutItsSection) {
   const auto plain = settings::parse_scene(R"({"grid": {"speed_ratio": 0.5}})");
-  effects::for_each_effect([&]<auto Effect>() {
-    EXPECT_FALSE((plain.*Effect).has_value()) << name_of<Effect>();
-    EXPECT_FALSE(effects::acts<Effect>(plain)) << name_of<Effect>();
-  });
+  for (const effects::Listed& effect : effects::listed()) {
+    EXPECT_FALSE(effect.is_in(plain)) << name_of(effect);
+    EXPECT_FALSE(effect.acts(plain)) << name_of(effect);
+  }
 }
 
 TEST(EveryEffect, RefusesWhatIsOutOfRangeOrOfAnotherType) {
-  effects::for_each_effect([&]<auto Effect>() {
-    for (const Quantity* entry : quantities_of(SettingsOf<Effect>::kDescription.section)) {
+  for (const effects::Listed& effect : effects::listed()) {
+    for (const Quantity* entry : quantities_of(effect.description.section)) {
       SCOPED_TRACE(entry->pointer);
       const std::string pointer(entry->pointer);
       const std::string meaning(entry->meaning);
@@ -100,13 +105,13 @@ TEST(EveryEffect, RefusesWhatIsOutOfRangeOrOfAnotherType) {
         expect(json::object(), "{} is not ");
       }
     }
-  });
+  }
 }
 
 TEST(EveryEffect, RefusesAKeyThatItDoesNotKnowAndASectionThatIsNone) {
-  effects::for_each_effect([&]<auto Effect>() {
-    SCOPED_TRACE(name_of<Effect>());
-    const std::string section(SettingsOf<Effect>::kDescription.section);
+  for (const effects::Listed& effect : effects::listed()) {
+    SCOPED_TRACE(name_of(effect));
+    const std::string section(effect.description.section);
     std::string known;
     for (const Quantity* entry : quantities_of(section)) {
       known += fmt::format("{}{}", known.empty() ? "" : ", ", entry->key());
@@ -117,19 +122,19 @@ TEST(EveryEffect, RefusesAKeyThatItDoesNotKnowAndASectionThatIsNone) {
                    0),
         0U)
         << refusal_of(section + "/zzz", 1);
-    EXPECT_EQ(refusal_of(section, 3.5), fmt::format("{}: 3.5 is not a section in braces; {}", section,
-                                                    SettingsOf<Effect>::kDescription.meaning));
-  });
+    EXPECT_EQ(refusal_of(section, 3.5),
+              fmt::format("{}: 3.5 is not a section in braces; {}", section, effect.description.meaning));
+  }
 }
 
 TEST(EveryEffect, HasItsSceneInJobsAndItsPicture) {
-  effects::for_each_effect([&]<auto Effect>() {
-    const std::string stem = "effect_" + name_of<Effect>();
+  for (const effects::Listed& effect : effects::listed()) {
+    const std::string stem = "effect_" + name_of(effect);
     EXPECT_TRUE(std::filesystem::exists(RUBATLAS_SOURCE_DIR "/jobs/" + stem + ".json"))
         << "missing: jobs/" << stem << ".json, a small scene in which the effect acts";
     EXPECT_TRUE(std::filesystem::exists(RUBATLAS_SOURCE_DIR "/tools/pictures/" + stem + ".png"))
         << "missing: tools/pictures/" << stem << ".png; jobs/effects.sh draws it";
-  });
+  }
 }
 
 }  // namespace

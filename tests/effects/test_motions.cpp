@@ -18,89 +18,88 @@ constexpr int kRevolutions = 4;
 
 /// The effect's section at zero strength: as it is by default, or with one of its numbers at zero, or with
 /// one of its flags down.
-template <auto Effect>
-std::optional<json> zero_strength() {
+std::optional<json> zero_strength(const effects::Listed& effect) {
   settings::Scene scene;
-  (scene.*Effect).emplace();
-  if (!effects::acts<Effect>(scene)) return json::object();
-  for (const settings::Quantity* entry : quantities_of(SettingsOf<Effect>::kDescription.section)) {
+  effect.add(scene);
+  if (!effect.acts(scene)) return json::object();
+  for (const settings::Quantity* entry : quantities_of(effect.description.section)) {
     const bool number = entry->kind == settings::Kind::number && entry->range.contains(0.0);
     if (!number && entry->kind != settings::Kind::flag) continue;
-    (scene.*Effect).emplace();
+    effect.add(scene);
     entry->write(scene, number ? settings::Value{0.0} : settings::Value{false});
-    if (effects::acts<Effect>(scene)) continue;
+    if (effect.acts(scene)) continue;
     return json{{std::string(entry->key()), number ? json(0.0) : json(false)}};
   }
   return std::nullopt;
 }
 
 TEST(EveryEffect, ActsInItsSceneAndChangesTheMotion) {
-  effects::for_each_effect([&]<auto Effect>() {
-    SCOPED_TRACE(name_of<Effect>());
+  for (const effects::Listed& effect : effects::listed()) {
+    SCOPED_TRACE(name_of(effect));
     double largest = 0.0;
     for (const double speed : kSpeeds) {
-      const json with = effect_scene<Effect>(speed, kRevolutions);
+      const json with = effect_scene(name_of(effect), speed, kRevolutions);
       const settings::Scene scene = parsed(with);
-      EXPECT_TRUE(effects::acts<Effect>(scene));
+      EXPECT_TRUE(effect.acts(scene));
       const auto outcome = run(scene);
-      const auto plain = run(parsed(without<Effect>(with)));
+      const auto plain = run(parsed(without(effect, with)));
       EXPECT_EQ(outcome.status, PointStatus::done) << speed;
       EXPECT_EQ(plain.status, PointStatus::done) << speed;
       EXPECT_GT(outcome.work.touchdowns, 0U) << speed;
       largest = std::max(largest, largest_difference(outcome.final_state, plain.final_state));
     }
     EXPECT_GT(largest, 1e-8) << "m: the motion is that without the effect";
-  });
+  }
 }
 
 TEST(EveryEffect, OfZeroStrengthIsAsIfItWereAbsent) {
-  effects::for_each_effect([&]<auto Effect>() {
-    SCOPED_TRACE(name_of<Effect>());
-    const auto zero = zero_strength<Effect>();
+  for (const effects::Listed& effect : effects::listed()) {
+    SCOPED_TRACE(name_of(effect));
+    const auto zero = zero_strength(effect);
     ASSERT_TRUE(zero.has_value()) << "none of its numbers at zero switches it off";
     for (const double speed : kSpeeds) {
-      json scene = without<Effect>(effect_scene<Effect>(speed, kRevolutions));
+      json scene = without(effect, effect_scene(name_of(effect), speed, kRevolutions));
       const auto absent = run(parsed(scene));
-      scene[json::json_pointer(std::string(SettingsOf<Effect>::kDescription.section))] = *zero;
+      scene[json::json_pointer(std::string(effect.description.section))] = *zero;
       const auto present = run(parsed(scene));
       ASSERT_EQ(absent.status, PointStatus::done);
       EXPECT_EQ(present.rows, absent.rows) << "to the last bit";
       EXPECT_EQ(present.final_state, absent.final_state);
       EXPECT_EQ(present.work.right_hand_sides, absent.work.right_hand_sides);
     }
-  });
+  }
 }
 
 TEST(EveryEffect, ConvergesAsTheToleranceTightens) {
-  effects::for_each_effect([&]<auto Effect>() {
+  for (const effects::Listed& effect : effects::listed()) {
     for (const double speed : kSpeeds) {
-      json scene = effect_scene<Effect>(speed, kRevolutions);
+      json scene = effect_scene(name_of(effect), speed, kRevolutions);
       const double scale = growth_of_errors(parsed(scene)) * parsed(scene).clearance();
       const auto end = [&](double tolerance) {
         scene["accuracy"]["tolerance"] = tolerance;
         const auto outcome = run(parsed(scene));
         EXPECT_EQ(outcome.status, PointStatus::done)
-            << name_of<Effect>() << ", speed " << speed << ", tolerance " << tolerance;
+            << name_of(effect) << ", speed " << speed << ", tolerance " << tolerance;
         return outcome.final_state;
       };
       const auto best = end(1e-13);
       for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
         EXPECT_LE(largest_difference(end(tolerance), best), 100.0 * tolerance * scale)
-            << name_of<Effect>() << ", speed " << speed << ", tolerance " << tolerance;
+            << name_of(effect) << ", speed " << speed << ", tolerance " << tolerance;
       }
     }
-  });
+  }
 }
 
 /// Whether a motion can go on from its state, whatever led to it.
-template <auto Effect>
-constexpr bool kStateIsAll =
-    SettingsOf<Effect>::kDescription.breaks.find("a state alone") == std::string_view::npos;
+bool state_is_all(const effects::Listed& effect) {
+  return effect.description.breaks.find("a state alone") == std::string_view::npos;
+}
 
 TEST(EveryEffect, BreaksTheSymmetryOfBladePassingsIfAndOnlyIfItSaysSo) {
-  effects::for_each_effect([&]<auto Effect>() {
-    if (!kStateIsAll<Effect>) return;
-    json scene = effect_scene<Effect>(0.45, kRevolutions);
+  for (const effects::Listed& effect : effects::listed()) {
+    if (!state_is_all(effect)) continue;
+    json scene = effect_scene(name_of(effect), 0.45, kRevolutions);
     scene["observables"] = std::vector{"poincare_blade_passing"};
     scene["accuracy"]["tolerance"] = 1e-12;
     const settings::Scene checked = parsed(scene);
@@ -109,25 +108,24 @@ TEST(EveryEffect, BreaksTheSymmetryOfBladePassingsIfAndOnlyIfItSaysSo) {
     const auto& passings = motion.rows[0];
     const auto later = run(checked, {passings[0], passings[1], passings[2], passings[3]});
     const double departure = largest_difference(later.rows[0], passings, 0, 4);
-    const bool says_so =
-        SettingsOf<Effect>::kDescription.breaks.find("blade passing") != std::string_view::npos;
-    EXPECT_EQ(departure > 1e-6, says_so) << name_of<Effect>() << ": departs by " << departure << " m";
+    const bool says_so = effect.description.breaks.find("blade passing") != std::string_view::npos;
+    EXPECT_EQ(departure > 1e-6, says_so) << name_of(effect) << ": departs by " << departure << " m";
     if (!says_so) {
-      EXPECT_LE(departure, 1e-9) << name_of<Effect>();
+      EXPECT_LE(departure, 1e-9) << name_of(effect);
     }
-  });
+  }
 }
 
 TEST(EveryEffect, IsTheSameMotionWhereverItsLineResumes) {
-  effects::for_each_effect([&]<auto Effect>() {
-    if (!kStateIsAll<Effect>) return;
-    SCOPED_TRACE(name_of<Effect>());
-    const auto whole = run(parsed(effect_scene<Effect>(0.45, 4)));
-    const settings::Scene half = parsed(effect_scene<Effect>(0.45, 2));
+  for (const effects::Listed& effect : effects::listed()) {
+    if (!state_is_all(effect)) continue;
+    SCOPED_TRACE(name_of(effect));
+    const auto whole = run(parsed(effect_scene(name_of(effect), 0.45, 4)));
+    const settings::Scene half = parsed(effect_scene(name_of(effect), 0.45, 2));
     const auto second = run(half, run(half).final_state);
     const double scale = growth_of_errors(half) * half.clearance();
     EXPECT_LE(largest_difference(second.final_state, whole.final_state), 100.0 * 1e-9 * scale);
-  });
+  }
 }
 
 }  // namespace

@@ -208,7 +208,7 @@ TEST(SpeedRipple, NoTouchdownIsMissed) {
 class Rippling : public ::testing::TestWithParam<settings::ContactLaw> {
  protected:
   static settings::Scene rotor(int order) {
-    nlohmann::json scene = effect_scene<&effects::Effects::speed_ripple>(0.4, 6);
+    nlohmann::json scene = effect_scene("speed_ripple", 0.4, 6);
     scene["speed_ripple"] = {{"amplitude", 0.1}, {"order", order}, {"phase", 0.6}};
     scene["observables"] = {"poincare", "poincare_blade_passing"};
     scene["accuracy"]["tolerance"] = 1e-13;

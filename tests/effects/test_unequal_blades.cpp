@@ -14,7 +14,7 @@ using ending::PointStatus;
 using motion::SectionState;
 
 settings::Scene equal_blades(settings::ContactLaw law, double speed_ratio) {
-  nlohmann::json scene = effect_scene<&effects::Effects::unequal_blades>(speed_ratio, 4);
+  nlohmann::json scene = effect_scene("unequal_blades", speed_ratio, 4);
   scene.erase("unequal_blades");
   scene["contact"]["law"] = law == settings::ContactLaw::elastica ? "elastica" : "elastic_ring";
   scene["observables"] = {"poincare", "poincare_blade_passing"};

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 
 #include "settings/effects/blade_and_ring.hpp"
 #include "settings/effects/contact_damping.hpp"
 #include "settings/effects/contact_load.hpp"
+#include "settings/effects/description.hpp"
 #include "settings/effects/ring_body.hpp"
 #include "settings/effects/speed_ramp.hpp"
 #include "settings/effects/speed_ripple.hpp"
@@ -73,5 +75,17 @@ template <auto Effect>
 [[nodiscard]] bool acts(const Effects& effects) {
   return (effects.*Effect) && (effects.*Effect)->acts();
 }
+
+/// An effect of the list at run time.
+struct Listed {
+  Description description;
+  std::optional<Memory> memory;
+  bool (*is_in)(const Effects&);
+  bool (*acts)(const Effects&);  ///< `effects::acts`
+  void (*add)(Effects&);         ///< its section, as it is by default
+  void (*remove)(Effects&);
+};
+/// In the order of `for_each_effect`.
+std::span<const Listed> listed();
 
 }  // namespace rubatlas::effects
