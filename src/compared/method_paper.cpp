@@ -3,6 +3,7 @@
 // neither the pair nor the increment: Fehlberg's 4(5), whose solution is of order 4, and the increment of the
 // scene.
 
+#include "compared/raised_force.hpp"
 #include "compared/stepped_method.hpp"
 #include "integrate/fehlberg_45.hpp"
 #include "modes/law_of_axial_loads.hpp"
@@ -18,7 +19,7 @@ struct Paper {
     bool operator()(const modes::Law& law, const modes::TipPlace& at, const modes::OpenContact& contact,
                     contact::TipForce& force) const {
       const auto respond = [&](const auto& blade) {
-        return blade.respond_upwards(at.pose, contact.slip, at.speed, increment, force);
+        return compared::raise_force(blade, at.pose, contact.slip, at.speed, increment, force);
       };
       if (const auto* rigid = dynamic_cast<const modes::LawOfRigidBlades*>(&law))
         return respond(rigid->of(contact.blade));

@@ -61,20 +61,6 @@ class ElasticRingContact {
     return force;
   }
 
-  /// The same as `respond`, with the force raised from 0 by increments until it has reached its value, as in
-  /// `ElasticaContact`.
-  bool respond_upwards(const Pose& at, double slip, double angular_speed, double increment,
-                       TipForce& force) const {
-    double bending = 0.0;
-    respond(at, slip, angular_speed, bending, force);
-    const double stepped = std::ceil(force.normal / increment) * increment;
-    const double excess = force.normal > 0.0 ? stepped / force.normal : 1.0;
-    force.radial *= excess;
-    force.tangential *= excess;
-    force.normal = stepped;
-    return true;
-  }
-
  private:
   Geometry geometry_;
   double stiffness_;  ///< kr [N/m]

@@ -294,46 +294,4 @@ bool ElasticaContact::respond(const Pose& at, double slip, double angular_speed,
   return true;
 }
 
-bool ElasticaContact::respond_upwards(const Pose& at, double slip, double angular_speed, double increment,
-                                      TipForce& force) const {
-  constexpr double kShareOfIncrement = 0.05;  // how closely the curve's point stands for the load
-  constexpr double kFirstBending = 1e-3;      // of β: there F ~ u² still
-  // From the unloaded blade F grows like u²; at μ = 0 the column stays straight up to its Euler load.
-  const double first = kFirstBending * (blade_.friction > 0.0 ? curve_->load_angle() : 1.0);
-  const double buckling = curve_at(0.0).load;
-  const double step = increment / blade_.load_unit;
-  if (may_stand_straight_) {
-    const double stepped = std::ceil(straight_load(at) / step) * step;
-    if (stepped <= blade::kEulerLoad) {
-      force = constraint_at(at, slip, straight(stepped), angular_speed).force;
-      return true;
-    }
-  }
-  const double curvature = (curve_at(first).load - buckling) / (first * first);
-  double bending = 0.0;
-  blade::CurvePoint point{};
-  for (double count = std::floor(buckling / step) + 1.0;; ++count) {
-    const double load = count * step;
-    if (curve_->theory() == blade::Theory::beam_column && load >= blade::kEulerLoad) {
-      // No increment beyond the Euler load has an equilibrium: h changes its sign before.
-      const auto root = solve(at, slip);
-      if (!root) return false;
-      bending = *root;
-      break;
-    }
-    if (bending == 0.0) {
-      bending = std::sqrt((load - buckling) / curvature);
-      point = curve_at(bending);
-    }
-    while (std::abs(load - point.load) > kShareOfIncrement * step) {
-      bending += (load - point.load) / point.load_slope;
-      if (!(bending < curve_->end())) return false;
-      point = curve_at(bending);
-    }
-    if (residual(at, slip, point) <= 0.0) break;
-  }
-  force = constraint(at, slip, bending, angular_speed).force;
-  return true;
-}
-
 }  // namespace rubatlas::contact

@@ -269,12 +269,16 @@ class ElasticaContact {
   /// as an odd function. Smooth beyond the Euler load of a straight column that will snap there, too.
   bool respond(const Pose& at, double slip, double angular_speed, double& bending, TipForce& force) const;
 
-  /// Force by the published scheme (MODEL 4.2): F ← F + dF from 0 until h changes sign; `increment` dF [N].
-  /// Where g > 0; false where the table ends before. The curve is followed in its own parameter, mostly one
-  /// evaluation an increment.
-  bool respond_upwards(const Pose& at, double slip, double angular_speed, double increment,
-                       TipForce& force) const;
-
+  /// A point of the curve, which counts as an evaluation.
+  [[nodiscard]] blade::CurvePoint curve_at(double bending) const {
+    ++evaluations_;
+    return curve_->at(bending);
+  }
+  /// h [m²] there. `point`: of the curve or one of its knots.
+  template <class Point>
+  [[nodiscard]] double residual(const Pose& at, double slip, const Point& point) const {
+    return residual_of(blade_, at, slip, point);
+  }
   /// How often the curve has been evaluated for this law. A law belongs to one motion and one thread.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
@@ -284,15 +288,7 @@ class ElasticaContact {
     return constraint_of(blade_, at, slip, point, angular_speed);
   }
 
-  [[nodiscard]] blade::CurvePoint curve_at(double bending) const {
-    ++evaluations_;
-    return curve_->at(bending);
-  }
-  /// h and ∂h/∂u alone. `point`: of the curve or one of its knots.
-  template <class Point>
-  [[nodiscard]] double residual(const Pose& at, double slip, const Point& point) const {
-    return residual_of(blade_, at, slip, point);
-  }
+  /// ∂h/∂u.
   template <class Point>
   [[nodiscard]] double slope(const Pose& at, double slip, const Point& point) const {
     const double a = at.radial + blade_.geometry.reach - blade_.length * point.shortening;
