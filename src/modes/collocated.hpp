@@ -1,6 +1,5 @@
 /// Mode: blades in contact, by collocation (`collocation/contact_arc.hpp`), whether their tips slip, rest or
-/// skim. Where it cannot tell what follows, or prove that no other guard is met, it hands the contacts over
-/// to another phase, from the start of the interval in which one may be.
+/// skim. Where no interval can be made, the point ends as `step_too_short`.
 #pragma once
 
 #include <algorithm>
