@@ -10,7 +10,7 @@
 #include "blade/bending_table.hpp"
 #include "collocation/further_blades.hpp"
 #include "collocation/interval.hpp"
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::collocation {

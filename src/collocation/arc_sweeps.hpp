@@ -9,6 +9,7 @@
 
 #include "collocation/interval.hpp"
 #include "collocation/nodes_in_lanes.hpp"
+#include "contact/tip.hpp"
 
 namespace rubatlas::collocation {
 namespace {
@@ -23,6 +24,8 @@ class ArcSweeps {
   struct Vector {
     Number x, y;
   };
+  using InBlade = contact::BladeVector<Number>;
+  using Pose = contact::PoseOf<Number>;
   /// Of a blade: er, that at the start, and what it has changed by, of which a short interval would lose
   /// digits.
   struct Direction : Vector {
@@ -152,15 +155,15 @@ class ArcSweeps {
   /// Δ of a tip that is bent to the side ±1, at least so much that it is no rounding of what it is added to.
   template <class Tip>
   static Number bent_by(const Tip& tip, double side, double length) {
-    return larger(tip.deflection * side, Number(kUnbent * length));
+    return larger(tip.bent.across * side, Number(kUnbent * length));
   }
   /// g/Δ of a tip [m], as h = 0 has it, in a ring that does not yield. `first_shortening`: δ/Δ of the unbent
   /// blade, where the quotient is 0/0.
   template <class Tip>
   static Number gap_per_deflection(const Tip& tip, double side, double length, double first_shortening) {
-    const Number shorter = larger(tip.shortening, Number(first_shortening * kUnbent * length));
-    return (tip.b * 2.0 + tip.deflection) * side +
-           shorter / bent_by(tip, side, length) * (tip.a * 2.0 + tip.shortening);
+    const Number shorter = larger(tip.bent.along, Number(first_shortening * kUnbent * length));
+    return (tip.place.across * 2.0 + tip.bent.across) * side +
+           shorter / bent_by(tip, side, length) * (tip.place.along * 2.0 + tip.bent.along);
   }
   /// v of a tip (MODEL 4.4), of the velocities that have been found. `per_radius`, `radius`: of the ring
   /// there.
@@ -168,10 +171,8 @@ class ArcSweeps {
   Number slip_velocity_of(const Tip& tip, const Vector& er, double reach, const Radius& per_radius,
                           const Radius& radius) const {
     const Number speed = angular_speed();
-    const Vector v = seen_velocity();
-    const Number along = (v.x * er.x + v.y * er.y) + (tip.b + tip.deflection) * speed;
-    const Number across = (v.y * er.x - v.x * er.y) - (tip.a + tip.shortening - reach) * speed;
-    return (tip.a * across - tip.b * along) * per_radius + speed * radius;
+    const Pose at = pose_of({tip.place + tip.bent, {}}, reach, er);
+    return contact::slip_velocity(tip.place, contact::tip_rate(at, speed), speed, per_radius, radius);
   }
 
   /// The tip of a blade that does not bend.
@@ -180,33 +181,25 @@ class ArcSweeps {
     Number yielding;       ///< F/kr
     Number slip_velocity;  ///< v
     Number distance;       ///< from the ring's centre
-    Number radial_normal, tangential_normal;
-    Number outward_velocity;  ///< n·r'
+    InBlade normal;
+    Pose at;
   };
   /// Of a blade in the direction er (MODEL 4.3, 4.7).
   RigidTip rigid_tip_of(const TipStart& start, const Blade& blade, const Direction& er) const {
     const Straight straight = straight_tip(start, blade, er);
-    const Vector velocity = seen_velocity();
-    const Number along = straight.along;
-    const Number tangential = straight.tangential;
-    const Number radial = along - blade.reach;
-    const Number radial_velocity = velocity.x * er.x + velocity.y * er.y;
-    const Number tangential_velocity = velocity.y * er.x - velocity.x * er.y;
+    const Number speed = angular_speed();
+    const Pose at = pose_of(straight, blade.reach, er);
+    const InBlade rate = contact::tip_rate(at, speed);
     RigidTip tip;
-    tip.distance = root(along * along + tangential * tangential);
-    const Number per_distance = Number(1.0) / tip.distance;
-    tip.radial_normal = along * per_distance;
-    tip.tangential_normal = tangential * per_distance;
-    tip.slip_velocity = (tip.radial_normal * tangential_velocity - tip.tangential_normal * radial_velocity) +
-                        angular_speed() * tip.radial_normal * blade.reach;
+    tip.distance = root(dot(straight.place, straight.place));
+    tip.normal = straight.place * (Number(1.0) / tip.distance);
+    tip.at = at;
+    tip.slip_velocity = contact::undeformed_slip_velocity(tip.normal, at, speed, blade.reach);
     tip.depth = straight.gap / (tip.distance + machine_.ring_radius);
     tip.yielding = tip.depth;
-    tip.outward_velocity = tip.radial_normal * radial_velocity +
-                           tip.tangential_normal * (tangential_velocity + angular_speed() * blade.reach);
     if (blade.ring_damping > 0.0) {
-      const Number rate = tip.radial_normal * (radial_velocity + angular_speed() * tangential) +
-                          tip.tangential_normal * (tangential_velocity - angular_speed() * radial);
-      tip.yielding = tip.yielding + rate * (blade.ring_damping / blade.ring_stiffness);
+      const Number closing = contact::square_change(tip.normal, rate) * 0.5;
+      tip.yielding = tip.yielding + closing * (blade.ring_damping / blade.ring_stiffness);
     }
     return tip;
   }
@@ -215,9 +208,12 @@ class ArcSweeps {
   Vector push_of_rigid(const Blade& blade, const RigidTip& tip, const Coefficient& coefficient,
                        const Vector& er) const {
     const Number load = tip.yielding * (blade.ring_stiffness * machine_.force_unit);
-    const Number radial = load * (tip.tangential_normal * coefficient - tip.radial_normal);
-    const Number tangential = load * (tip.tangential_normal + tip.radial_normal * coefficient) * -1.0;
-    return {radial * er.x - tangential * er.y, radial * er.y + tangential * er.x};
+    const InBlade direction = contact::push_direction(tip.normal, coefficient);
+    return on_shaft(direction * load, er);
+  }
+  /// In x and y.
+  static Vector on_shaft(const InBlade& vector, const Vector& er) {
+    return {vector.along * er.x - vector.across * er.y, vector.along * er.y + vector.across * er.x};
   }
 
   /// Sweeps until what is left is below the tolerance. False where it does not become so. `full`: so many
@@ -255,7 +251,7 @@ class ArcSweeps {
   Number angular_acceleration() const { return kPlain ? Number(0.0) : angular_acceleration_; }
   /// The tip of a blade that does not bend, from the ring's centre.
   struct Straight {
-    Number along, tangential;  ///< (er, ep) [m]
+    InBlade place;  ///< [m]
     /// g, by how far the tip has come since the start: that of a light contact is smaller than the rounding
     /// of R².
     Number gap;
@@ -267,8 +263,14 @@ class ArcSweeps {
     const double from_x = seen_start_[0] + blade.reach * er.start[0];
     const double from_y = seen_start_[1] + blade.reach * er.start[1];
     const Vector place{come.x + from_x, come.y + from_y};
-    return {place.x * er.x + place.y * er.y, place.y * er.x - place.x * er.y,
+    return {{place.x * er.x + place.y * er.y, place.y * er.x - place.x * er.y},
             (come.x * (place.x + from_x) + come.y * (place.y + from_y)) + start.start_gap};
+  }
+  /// The shaft seen from a blade whose tip would lie there if it did not bend.
+  Pose pose_of(const Straight& tip, double reach, const Vector& er) const {
+    const Vector v = seen_velocity();
+    return {tip.place.along - reach, tip.place.across, v.x * er.x + v.y * er.y, v.y * er.x - v.x * er.y,
+            tip.gap};
   }
   /// The shaft's velocity as seen from the ring.
   Vector seen_velocity() const {

@@ -58,7 +58,7 @@ double ContactArc::slip_acceleration(int blade, const Point& point,
   const std::complex<double> seen = acceleration * std::complex<double>(er.cosine, -er.sine);
   const double turning = geometry.reach * blades_->angular_acceleration(point.time);
   return contact::slip_acceleration(geometry, pose(blade, point), blades_->angular_speed(point.time),
-                                    {seen.real(), seen.imag() + turning}, 0.0, 0.0);
+                                    {seen.real(), seen.imag() + turning});
 }
 
 /// Direction of the slip of a straight tip.

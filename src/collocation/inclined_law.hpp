@@ -104,8 +104,8 @@ class InclinedLaw final : public ArcLaw {
     // g/|D|, as h = 0 has it.
     const double deflection = std::abs(there.blade.deflection.value);
     const double share = deflection > kUnbent ? there.blade.shortening.value / deflection : 0.0;
-    const double measure = 2.0 * side(touch) * there.tangential + law.length() * deflection +
-                           share * (2.0 * there.radial + law.length() * there.blade.shortening.value);
+    const double measure = 2.0 * side(touch) * there.tip.across + law.length() * deflection +
+                           share * (2.0 * there.tip.along + law.length() * there.blade.shortening.value);
     Start start = starts(law.force_of(at, speed, there), measure);
     start.tip.start_lean = lean_of(touch.bend);
     start.tip.start_chart_left =
@@ -117,14 +117,10 @@ class InclinedLaw final : public ArcLaw {
                                 const std::complex<double>& acceleration) const override {
     const auto& law = law_->of(touch.blade);
     const auto there = equations(law, at, speed, touch.slip, touch.bend);
-    auto drift = law.drift(at, speed, acceleration, there);
-    if (touch.slip == 0.0) {
-      const double along_rate =
-          acceleration.real() + speed * (2.0 * at.tangential_velocity - speed * at.radial);
-      const double across_rate =
-          acceleration.imag() - speed * (2.0 * at.radial_velocity + speed * at.tangential);
-      drift.misdirection = there.radial * across_rate - there.tangential * along_rate;
-    }
+    const contact::BladeVector<double> along{acceleration.real(), acceleration.imag()};
+    auto drift = law.drift(at, speed, along, there);
+    if (touch.slip == 0.0)
+      drift.misdirection = contact::cross(there.tip, contact::tip_acceleration(at, speed, along));
     double modulus =
         drift.misdirection * there.residual_by_amplitude - drift.residual * there.misdirection_by_amplitude;
     double amplitude =
@@ -268,14 +264,13 @@ class InclinedLaw final : public ArcLaw {
                                                          const blade::Bend& bend) {
     auto there = law.constraint(at, slip, speed, bend);
     if (slip != 0.0) return there;
-    const double along = at.radial_velocity + speed * at.tangential;
-    const double across = at.tangential_velocity - speed * at.radial;
+    const contact::BladeVector<double> rate = contact::tip_rate(at, speed);
     const auto by = [&](double shortening, double deflection) {
-      return law.length() * (deflection * along - shortening * across);
+      return law.length() * (deflection * rate.along - shortening * rate.across);
     };
     const auto& [load, curvature, angle, shortening, deflection] = there.blade;
     const double radius = law.geometry().ring_radius;
-    there.misdirection = there.radial * across - there.tangential * along + speed * radius * radius;
+    there.misdirection = contact::cross(there.tip, rate) + speed * radius * radius;
     there.misdirection_by_modulus = by(shortening.by_modulus, deflection.by_modulus);
     there.misdirection_by_amplitude = by(shortening.by_amplitude, deflection.by_amplitude);
     return there;
@@ -305,9 +300,8 @@ class InclinedLaw final : public ArcLaw {
     const auto& law = law_->of(touch.blade);
     const blade::InclinedPoint point = blade::inclined_equilibrium(touch.bend.modulus, touch.bend.amplitude);
     if (law.direction() == contact::LoadDirection::axial) return std::tan(point.load_angle.value);
-    const double along = at.radial + law.geometry().reach - law.length() * point.shortening.value;
-    const double across = at.tangential - law.length() * point.deflection.value;
-    return std::tan(point.load_angle.value - std::atan2(across, along));
+    const contact::BladeVector<double> tip = law.tip_of(at, point);
+    return std::tan(point.load_angle.value - std::atan2(tip.across, tip.along));
   }
   [[nodiscard]] contact::DirectedElastica::Constraint constraint(const Touch& touch, const contact::Pose& at,
                                                                  double speed) const {

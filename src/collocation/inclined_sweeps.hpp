@@ -72,25 +72,18 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     Number e_rate;         ///< de/dτ
     Number inverse;        ///< of the determinant of h and e by u and l
     bool lifts_off = false;
-    typename Tip::Push push;
+    typename Tip::InBlade push;
   };
 
   /// The shaft seen from a blade in the direction er.
   InclinedPose<kWidth> pose_from(const TipStart& start, const Blade& blade, const Direction& er) const {
-    const auto tip = straight_tip(start, blade, er);
-    const Vector v = seen_velocity();
-    return {tip.gap,
-            tip.along - blade.reach,
-            tip.tangential,
-            v.x * er.x + v.y * er.y,
-            v.y * er.x - v.x * er.y,
-            angular_speed_};
+    return {pose_of(straight_tip(start, blade, er), blade.reach, er), angular_speed_};
   }
   Number e_rate_of(const Tip& tip, const InclinedPose<kWidth>& at, const Vector& er) const {
     Vector acceleration{shaft_.ax, shaft_.ay};
     if (ring_moves()) acceleration = {shaft_.ax - ring_.ax, shaft_.ay - ring_.ay};
-    return tip.e_rate(at, acceleration.x * er.x + acceleration.y * er.y,
-                      acceleration.y * er.x - acceleration.x * er.y);
+    return tip.e_rate(
+        at, {acceleration.x * er.x + acceleration.y * er.y, acceleration.y * er.x - acceleration.x * er.y});
   }
   /// du/dp, of which p² is known.
   static Number bending_slope_of(const InclinedLoad& load, const Number& square) {
@@ -100,9 +93,6 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   /// |v| that a tip at rest had before the step. The shaft's velocity shows only what steps change.
   double slip_left(const Tip& tip) const {
     return tip.inclined().rests ? magnitude(tip.e).largest() * machine_.ring_radius : 0.0;
-  }
-  static Vector along(const typename Tip::Push& push, const Vector& er) {
-    return {push.along * er.x - push.across * er.y, push.along * er.y + push.across * er.x};
   }
 
   /// Returns the largest change of a velocity [m per unit τ]; not a number where there is no blade.
@@ -147,12 +137,12 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     const Number bending_step = bending_slope_ * (step * in.normal.argument);
     const Direction er_before = er_;
     turn_on(time_step);
-    Vector push = along(lead_.move_on(bending_step, lean_step, time_step, machine_.force_unit), er_);
+    Vector push = on_shaft(lead_.move_on(bending_step, lean_step, time_step, machine_.force_unit), er_);
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       const std::array<double, 2>& offset = in.further[k].offset;
       if (!step_further<kLight>(in.further[k], further_[k], direction_at(er_before, offset), time_step))
         return std::numeric_limits<double>::quiet_NaN();
-      const Vector more = along(further_[k].push, offset_by(er_, offset));
+      const Vector more = on_shaft(further_[k].push, offset_by(er_, offset));
       push = {push.x + more.x, push.y + more.y};
     }
     const Vector expected{shaft_.vx + shaft_.ax * time_step, shaft_.vy + shaft_.ay * time_step};
@@ -168,10 +158,10 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   template <bool kLight>
   void follow_slip(const Vector& expected) {
     const double per_radius = 1.0 / machine_.ring_radius;
-    const Vector along_ring{(lead_.b * er_.x + lead_.a * er_.y) * -per_radius,
-                            (lead_.a * er_.x - lead_.b * er_.y) * per_radius};
+    const auto& [a, b] = lead_.place;
+    const Vector along_ring{(b * er_.x + a * er_.y) * -per_radius, (a * er_.x - b * er_.y) * per_radius};
     if (!kLight) {
-      push_by_slip_ = along(lead_.push_by_slip(machine_.force_unit), er_);
+      push_by_slip_ = on_shaft(lead_.push_by_slip(machine_.force_unit), er_);
       set_slip_coupling(along_ring);
     }
     const Number change = along_ring.x * (shaft_.vx - expected.x) + along_ring.y * (shaft_.vy - expected.y);
@@ -277,6 +267,8 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   using Base::move;
   using Base::nodes_;
   using Base::offset_by;
+  using Base::on_shaft;
+  using Base::pose_of;
   using Base::ring_;
   using Base::ring_moves;
   using Base::seen_velocity;
@@ -310,7 +302,8 @@ bool inclined_branch(const Contact& contact, const InclinedLoad& load, const con
   constexpr double kClosest = 1e-6;  // of l: h is for Newton's method to go on from
   constexpr double kFarthest = 0.7;  // of l: no load leans more
   const InclinedPose<kWidth> at{
-      pose.gap, pose.radial, pose.tangential, pose.radial_velocity, pose.tangential_velocity, angular_speed};
+      {pose.radial, pose.tangential, pose.radial_velocity, pose.tangential_velocity, pose.gap},
+      angular_speed};
   const Number argument(points.argument);
   const Number square = argument * argument;
   const Number bending = bending_of(load, argument, square);

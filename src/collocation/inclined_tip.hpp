@@ -8,10 +8,10 @@
 #include <cstddef>
 
 #include "collocation/even_rules.hpp"
-#include "collocation/friction_in_lanes.hpp"
 #include "collocation/inclined_load.hpp"
 #include "collocation/interval.hpp"
 #include "collocation/nodes_in_lanes.hpp"
+#include "contact/tip.hpp"
 
 namespace rubatlas::collocation {
 namespace {
@@ -131,10 +131,9 @@ Lanes<kWidth> bending_of(const InclinedLoad& load, const Lanes<kWidth>& argument
          load.scale;
 }
 
-/// The shaft seen from the blade at eight nodes (`contact::Pose`).
+/// The shaft seen from the blade at eight nodes.
 template <std::size_t kWidth>
-struct InclinedPose {
-  Lanes<kWidth> gap, radial, tangential, radial_velocity, tangential_velocity;
+struct InclinedPose : contact::PoseOf<Lanes<kWidth>> {
   Lanes<kWidth> angular_speed;  ///< φ'
 };
 
@@ -144,18 +143,18 @@ class InclinedTip {
  public:
   using Number = Lanes<kWidth>;
   using Pose = InclinedPose<kWidth>;
+  using InBlade = contact::BladeVector<Number>;
 
   InclinedBlade<kWidth> blade;
-  Number bending, lean;           ///< u, l
-  Number load;                    ///< P L²/EI
-  Number shortening, deflection;  ///< δ and D [m]
-  Number a, b;                    ///< of the tip against the ring's centre in (er, et) [m]
-  Number a_rate, b_rate;          ///< by τ, of a blade that does not bend
-  Number slip_velocity;           ///< v
-  Number coefficient;             ///< c
+  Number bending, lean;  ///< u, l
+  Number load;           ///< P L²/EI
+  InBlade bent;          ///< (δ, D) [m]
+  InBlade place, rate;   ///< of the tip from the ring's centre [m], and by τ at this bend
+  Number slip_velocity;  ///< v
+  Number coefficient;    ///< c
   Number h, e;
   // Slopes.
-  Number a_by_bending, a_by_lean, b_by_bending, b_by_lean;
+  InBlade place_by_bending, place_by_lean;
   Number h_by_bending, h_by_lean, e_by_bending, e_by_lean;
 
   InclinedTip() = default;
@@ -175,28 +174,26 @@ class InclinedTip {
     if (!blade.template set<kSlopes>(bending, lean, rule_)) return false;
     load = blade.load.value;
     const double across_length = load_->side * c.length;
-    shortening = blade.shortening.value * c.length;
-    deflection = blade.deflection.value * across_length;
-    const Number reach = at.radial + c.reach;
-    h = at.gap + (shortening * (shortening - reach * 2.0) + deflection * (deflection - at.tangential * 2.0));
-    a = reach - shortening;
-    b = at.tangential - deflection;
-    const Number along = at.radial_velocity + at.tangential * at.angular_speed;
-    const Number across = at.tangential_velocity - at.radial * at.angular_speed;
+    const InBlade unbent{at.radial + c.reach, at.tangential};
+    bent = {blade.shortening.value * c.length, blade.deflection.value * across_length};
+    h = contact::contact_equation(at.gap, unbent, bent);
+    place = unbent - bent;
+    rate = contact::tip_rate(at, at.angular_speed);
     const double radius = ring_radius_;
     const double per_radius = 1.0 / radius;
-    slip_velocity = (a * across - b * along) * per_radius + at.angular_speed * radius;
+    slip_velocity = contact::slip_velocity(place, rate, at.angular_speed, per_radius, radius);
     const bool rests = load_->rests;
-    const FrictionAtNodes<kWidth> friction = rests ? FrictionAtNodes<kWidth>{Number(0.0), Number(0.0)}
-                                                   : friction_at(load_->friction, slip_, slip_velocity);
+    const contact::Friction::At<Number> friction =
+        rests ? contact::Friction::At<Number>{Number(0.0), Number(0.0)}
+              : load_->friction.at(slip_velocity, slip_);
     coefficient = friction.coefficient;
     cosine_ = Number(1.0) - lean * lean * 2.0;
     sine_ = lean * blade.cosine * (2.0 * load_->side);
     direction_x_ = cosine_;
     Number direction_y = sine_;
     if (load_->along_normal) {
-      direction_x_ = (a * cosine_ + b * sine_) * per_radius;
-      direction_y = (a * sine_ - b * cosine_) * per_radius;
+      direction_x_ = (place.along * cosine_ + place.across * sine_) * per_radius;
+      direction_y = (place.along * sine_ - place.across * cosine_) * per_radius;
     }
     e = direction_y - coefficient * direction_x_;
     const double per_speed = -1.0 / radius;  // a length: v over it is as large as an angle's rate
@@ -205,63 +202,48 @@ class InclinedTip {
       e = slip_velocity * per_speed;
     }
     if (kSlopes) {
-      a_by_bending = blade.shortening.by_bending * -c.length;
-      a_by_lean = blade.shortening.by_lean * -c.length;
-      b_by_bending = blade.deflection.by_bending * -across_length;
-      b_by_lean = blade.deflection.by_lean * -across_length;
-      a_rate = along;
-      b_rate = across;
-      h_by_bending = (a * a_by_bending + b * b_by_bending) * 2.0;
-      h_by_lean = (a * a_by_lean + b * b_by_lean) * 2.0;
+      place_by_bending = {blade.shortening.by_bending * -c.length,
+                          blade.deflection.by_bending * -across_length};
+      place_by_lean = {blade.shortening.by_lean * -c.length, blade.deflection.by_lean * -across_length};
+      h_by_bending = contact::square_change(place, place_by_bending);
+      h_by_lean = contact::square_change(place, place_by_lean);
       const Number cosine_by_lean = lean * -4.0;
       const Number sine_by_lean = cosine_ / blade.cosine * (2.0 * load_->side);
       e_by_velocity_ = rests ? Number(per_speed * per_radius) : friction.slope * direction_x_ * -per_radius;
-      // By its parts: l, (a, β), of which v depends on (a, β), too.
+      // By its parts: l and the place of the tip, on which v depends, too.
       Number by_lean = sine_by_lean - coefficient * cosine_by_lean;
-      Number by_a = e_by_velocity_ * across;
-      Number by_b = e_by_velocity_ * along * -1.0;
+      InBlade by_place = InBlade{rate.across, rate.along * -1.0} * e_by_velocity_;
       if (rests) {
         by_lean = Number(0.0);
       } else if (load_->along_normal) {
-        by_lean = ((a * sine_by_lean - b * cosine_by_lean) -
-                   coefficient * (a * cosine_by_lean + b * sine_by_lean)) *
+        by_lean = ((place.along * sine_by_lean - place.across * cosine_by_lean) -
+                   coefficient * (place.along * cosine_by_lean + place.across * sine_by_lean)) *
                   per_radius;
-        by_a = by_a + (sine_ - coefficient * cosine_) * per_radius;
-        by_b = by_b - (cosine_ + coefficient * sine_) * per_radius;
+        by_place = by_place + turn_of_normal() * per_radius;
       }
-      e_by_bending = by_a * a_by_bending + by_b * b_by_bending;
-      e_by_lean = by_lean + (by_a * a_by_lean + by_b * b_by_lean);
+      e_by_bending = dot(by_place, place_by_bending);
+      e_by_lean = by_lean + dot(by_place, place_by_lean);
     }
     return true;
   }
 
-  /// dh/dτ and de/dτ of a blade that does not bend, at constant speed. `ax`, `ay`: z'' along and across it.
-  Number h_rate() const { return (a * a_rate + b * b_rate) * 2.0; }
-  Number e_rate(const Pose& at, const Number& ax, const Number& ay) const {
-    const Number& speed = at.angular_speed;
-    const Number along_rate = ax + (at.tangential_velocity * 2.0 - at.radial * speed) * speed;
-    const Number across_rate = ay - (at.radial_velocity * 2.0 + at.tangential * speed) * speed;
-    Number rate = e_by_velocity_ * (a * across_rate - b * along_rate);
+  /// dh/dτ and de/dτ at this bend and at constant speed. `acceleration`: z''.
+  Number h_rate() const { return contact::square_change(place, rate); }
+  Number e_rate(const Pose& at, const InBlade& acceleration) const {
+    Number result =
+        e_by_velocity_ * contact::cross(place, contact::tip_acceleration(at, at.angular_speed, acceleration));
     if (load_->along_normal && !load_->rests) {
-      rate = rate + ((sine_ - coefficient * cosine_) * a_rate - (cosine_ + coefficient * sine_) * b_rate) *
-                        (1.0 / ring_radius_);
+      result = result + dot(turn_of_normal(), rate) * (1.0 / ring_radius_);
     }
-    return rate;
+    return result;
   }
 
-  /// What acts on the shaft where tip and blade move on by steps in u, l and τ, as an acceleration along and
-  /// across the blade.
-  struct Push {
-    Number along, across;
-  };
-  Push move_on(const Number& bending_step, const Number& lean_step, const Number& time_step,
-               double force_unit) {
-    const Number a_step = a_by_bending * bending_step + a_by_lean * lean_step;
-    const Number b_step = b_by_bending * bending_step + b_by_lean * lean_step;
-    a = a + (a_rate * time_step + a_step);
-    b = b + (b_rate * time_step + b_step);
-    shortening = shortening - a_step;
-    deflection = deflection - b_step;
+  /// What acts on the shaft where tip and blade move on by steps in u, l and τ, as an acceleration.
+  InBlade move_on(const Number& bending_step, const Number& lean_step, const Number& time_step,
+                  double force_unit) {
+    const InBlade step = place_by_bending * bending_step + place_by_lean * lean_step;
+    place = place + (rate * time_step + step);
+    bent = bent - step;
     bending = bending + bending_step;
     lean = lean + lean_step;
     load = load + (blade.load.by_bending * bending_step + blade.load.by_lean * lean_step);
@@ -269,44 +251,39 @@ class InclinedTip {
     const Number cosine = Number(1.0) - lean * lean * 2.0;
     const Number sine = lean * root(Number(1.0) - lean * lean) * (2.0 * load_->side);
     if (load_->rests) {  // what holds it there
-      coefficient = load_->along_normal ? (a * sine - b * cosine) / (a * cosine + b * sine) : sine / cosine;
+      coefficient = load_->along_normal ? (place.along * sine - place.across * cosine) /
+                                              (place.along * cosine + place.across * sine)
+                                        : sine / cosine;
     }
-    Push result{cosine, sine};
-    if (!load_->along_normal) {
-      const double per_radius = 1.0 / ring_radius_;
-      result = {(a * cosine - b * sine) * per_radius, (b * cosine + a * sine) * per_radius};
-    }
-    return {result.along * push, result.across * push};
+    InBlade result{cosine, sine};
+    if (!load_->along_normal) result = turned(place, result);
+    return result * push;
   }
 
   /// How the push changes with the slip velocity where the shaft stands: the bend follows e, at h = 0. To be
   /// asked for after `move_on`.
-  Push push_by_slip(double force_unit) const {
+  InBlade push_by_slip(double force_unit) const {
     const Number inverse = e_by_velocity() / (h_by_bending * e_by_lean - h_by_lean * e_by_bending);
     const Number bending_rate = h_by_lean * inverse;
     const Number lean_rate = h_by_bending * inverse * -1.0;
     const Number load_rate = blade.load.by_bending * bending_rate + blade.load.by_lean * lean_rate;
     const Number cosine_rate = lean * lean_rate * -4.0;
     const Number sine_rate = cosine_ / blade.cosine * (2.0 * load_->side) * lean_rate;
-    Push direction{cosine_, sine_};
-    Push turn{cosine_rate, sine_rate};
+    InBlade direction{cosine_, sine_};
+    InBlade turn{cosine_rate, sine_rate};
     if (!load_->along_normal) {
-      const double per_radius = 1.0 / ring_radius_;
-      const Number moved_a = a_by_bending * bending_rate + a_by_lean * lean_rate;
-      const Number moved_b = b_by_bending * bending_rate + b_by_lean * lean_rate;
-      direction = {(a * cosine_ - b * sine_) * per_radius, (b * cosine_ + a * sine_) * per_radius};
-      turn = {((a * cosine_rate - b * sine_rate) + (moved_a * cosine_ - moved_b * sine_)) * per_radius,
-              ((b * cosine_rate + a * sine_rate) + (moved_b * cosine_ + moved_a * sine_)) * per_radius};
+      const InBlade moved = place_by_bending * bending_rate + place_by_lean * lean_rate;
+      turn = turned(place, turn) + turned(moved, direction);
+      direction = turned(place, direction);
     }
     const double unit = -blade_->load_unit * force_unit;
-    return {(direction.along * load_rate + turn.along * load) * unit,
-            (direction.across * load_rate + turn.across * load) * unit};
+    return (direction * load_rate + turn * load) * unit;
   }
 
   /// What an interval keeps of the tip, but for what has to do with velocities.
   void store(TipInTime& kept) const {
     lean.store(kept.lean);
-    (shortening * (1.0 / blade_->length)).store(kept.shortening);
+    (bent.along * (1.0 / blade_->length)).store(kept.shortening);
     (Number(load_->cone()) - coefficient * coefficient).store(kept.cone_left);
     load_->chart_left(bending, lean).store(kept.chart_left);
     (load * blade_->load_unit / root(coefficient * coefficient + 1.0)).store(kept.normal_force);
@@ -319,6 +296,17 @@ class InclinedTip {
   [[nodiscard]] const Blade& numbers() const { return *blade_; }
 
  private:
+  /// What e changes by with the place of the tip, times R, as the normal turns.
+  InBlade turn_of_normal() const {
+    return {sine_ - coefficient * cosine_, (cosine_ + coefficient * sine_) * -1.0};
+  }
+  /// A vector that is turned as the place of the tip is from the blade, at the ring's radius.
+  InBlade turned(const InBlade& at, const InBlade& vector) const {
+    return InBlade{at.along * vector.along - at.across * vector.across,
+                   at.across * vector.along + at.along * vector.across} *
+           (1.0 / ring_radius_);
+  }
+
   const Blade* blade_ = nullptr;
   const InclinedLoad* load_ = nullptr;
   double slip_ = 0.0;

@@ -54,6 +54,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
  private:
   using Direction = typename Base::Direction;
   using Vector = typename Base::Vector;
+  using InBlade = typename Base::InBlade;
 
   static constexpr int kMostSweeps = 9;
   static constexpr int kFullSweeps = 3;       ///< with slopes of their own
@@ -74,8 +75,9 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     double slip;                        ///< s = ±1
     bool straight = false;              ///< only the ring yields, as under a rigid blade
     bool skims = false;                 ///< it bears a share of its force
-    Number shortening, deflection;      ///< δ and s Δ [m]
-    Number a, b, a_rate, b_rate;        ///< of the tip against the ring's centre in (er, ep) [m], and by τ
+    Number load;                        ///< F, all of it where the tip skims [N]
+    InBlade bent;                       ///< (δ, s Δ) [m]
+    InBlade place, rate;                ///< of the tip from the ring's centre [m], and by τ
     Bend slope;                         ///< of load, δ and s Δ by p
     Number argument_slope, time_slope;  ///< of h by p, and along the motion (MODEL 4.1)
     Number yielding;                    ///< y of the ring under the tip, F/kr without dampers [m]
@@ -106,29 +108,23 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   Number residual_of(Tip& tip, const TipStart& start, const Bend& bend, const Direction& er) const {
     const Blade& blade = *tip.blade;
     const auto straight = straight_tip(start, blade, er);
-    const Number along = straight.along;
-    const Number tangential = straight.tangential;
-    tip.shortening = bend.shortening * blade.length;
-    tip.deflection = bend.deflection * (tip.slip * blade.length);  // s Δ
-    Number residual = straight.gap + (tip.shortening * (tip.shortening - along * 2.0) +
-                                      tip.deflection * (tip.deflection - tangential * 2.0));
-    tip.a = along - tip.shortening;
-    tip.b = tangential - tip.deflection;
+    tip.bent = {bend.shortening * blade.length, bend.deflection * (tip.slip * blade.length)};
+    Number residual = contact::contact_equation(straight.gap, straight.place, tip.bent);
+    tip.place = straight.place - tip.bent;
     if (!kLight) {
-      const Vector v = seen_velocity();
-      tip.argument_slope = (tip.a * tip.slope.shortening + tip.b * tip.slope.deflection) * -2.0;
-      tip.a_rate = (v.x * er.x + v.y * er.y) + tangential * angular_speed();
-      tip.b_rate = (v.y * er.x - v.x * er.y) - (along - blade.reach) * angular_speed();
-      tip.time_slope = (tip.a * tip.a_rate + tip.b * tip.b_rate) * 2.0;
+      tip.argument_slope =
+          contact::square_change(tip.place, InBlade{tip.slope.shortening, tip.slope.deflection}) * -1.0;
+      tip.rate = contact::tip_rate(this->pose_of(straight, blade.reach, er), angular_speed());
+      tip.time_slope = contact::square_change(tip.place, tip.rate);
     }
     if (yields(blade)) {
       const Number yielding = bend.load * blade.yield_unit;
-      residual = residual - yielding * (yielding + 2.0 * machine_.ring_radius);
+      residual = residual - contact::widening(yielding, machine_.ring_radius);
       if (!kLight)
         tip.argument_slope = tip.argument_slope -
                              (yielding + machine_.ring_radius) * tip.slope.load * (2.0 * blade.yield_unit);
     }
-    if (is_damped(blade)) residual = residual - tip.yielding * (tip.yielding + 2.0 * machine_.ring_radius);
+    if (is_damped(blade)) residual = residual - contact::widening(tip.yielding, machine_.ring_radius);
     return residual;
   }
 
@@ -159,26 +155,22 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   Vector push_of(Tip& tip, const Bend& bend, const Number& argument_step, const Number& time_step,
                  const Vector& er) const {
     const Number of_unit = bend.load + tip.slope.load * argument_step;
-    const Number less = tip.slope.shortening * argument_step;
-    const Number more = tip.slope.deflection * argument_step;
-    tip.shortening = tip.shortening + less;
-    tip.deflection = tip.deflection + more;
-    tip.a = tip.a + (tip.a_rate * time_step - less);
-    tip.b = tip.b + (tip.b_rate * time_step - more);
+    const InBlade more{tip.slope.shortening * argument_step, tip.slope.deflection * argument_step};
+    tip.bent = tip.bent + more;
+    tip.place = tip.place + (tip.rate * time_step - more);
     return push_by(tip, of_unit, er);
   }
   /// What a tip does to the shaft under a load [EI/L²], where it stands.
   Vector push_by(Tip& tip, const Number& of_unit, const Vector& er) const {
     const Blade& blade = *tip.blade;
     const Number load = of_unit * blade.load_unit;
+    tip.load = load;
     Number per_radius = machine_.force_unit / machine_.ring_radius;
     if (yields(blade)) tip.yielding = of_unit * blade.yield_unit;
     if (yields(blade) || is_damped(blade))
       per_radius = Number(machine_.force_unit) / (tip.yielding + machine_.ring_radius);
-    const double friction = tip.slip * blade.friction;
-    const Number radial = load * ((tip.b * friction - tip.a) * per_radius);
-    const Number tangential = load * ((tip.a * friction + tip.b) * (per_radius * -1.0));
-    return {radial * er.x - tangential * er.y, radial * er.y + tangential * er.x};
+    const InBlade direction = contact::push_direction(tip.place, tip.slip * blade.friction);
+    return this->on_shaft(direction * per_radius * load, er);
   }
 
   /// The same for a further blade, with a step of its own: one of Newton's for p², of which h is nearly
@@ -277,8 +269,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     const Number by_turning = speed * blade.reach;
     const Vector velocity{seen.x - by_turning * er.y, seen.y + by_turning * er.x};
     const auto straight = straight_tip(interval_, blade, er);
-    const Vector place{straight.along * er.x - straight.tangential * er.y,
-                       straight.along * er.y + straight.tangential * er.x};
+    const Vector place = this->on_shaft(straight.place, er);
     const Number free = place.x * acceleration.x + place.y * acceleration.y + velocity.x * velocity.x +
                         velocity.y * velocity.y;
     return free * (-1.0 / closing) / (place.x * full.x + place.y * full.y);
@@ -295,13 +286,11 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   Number compress(Tip& tip, const TipStart& start, const Direction& er) const {
     const Blade& blade = *tip.blade;
     const auto straight = straight_tip(start, blade, er);
-    const Number linear = straight.along * blade.axial_unit + machine_.ring_radius * blade.yield_unit;
+    const Number linear = straight.place.along * blade.axial_unit + machine_.ring_radius * blade.yield_unit;
     const double square = blade.axial_unit * blade.axial_unit - blade.yield_unit * blade.yield_unit;
     const Number load = straight.gap / (linear + root(linear * linear - straight.gap * square));
-    tip.shortening = load * blade.axial_unit;
-    tip.deflection = Number(0.0);
-    tip.a = straight.along - tip.shortening;
-    tip.b = straight.tangential;
+    tip.bent = {load * blade.axial_unit, Number(0.0)};
+    tip.place = straight.place - tip.bent;
     tip.yielding = load * blade.yield_unit;
     return load;
   }
@@ -341,7 +330,8 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
 
   /// What ∂h/∂p leaves of the share in it of δ and of the ring that yields.
   static Number firmness_of(const Tip& tip, double short_of_fold) {
-    return tip.argument_slope * (-0.5 * (1.0 - short_of_fold)) + tip.b * tip.slope.deflection * short_of_fold;
+    return tip.argument_slope * (-0.5 * (1.0 - short_of_fold)) +
+           tip.place.across * tip.slope.deflection * short_of_fold;
   }
   void store(const Tip& tip, const Direction& er, TipInTime& stored) const {
     const Number gap = straight_tip(stored, *tip.blade, er).gap;
@@ -357,6 +347,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
       gap_measure_of(tip, machine_.ring_radius).store(stored.gap_measure);
     }
     slip_velocity_of(tip, er).store(stored.slip_velocity);
+    (skims(tip) ? tip.load * share_ : tip.load).store(stored.normal_force);
     if (is_damped(*tip.blade)) tip.yielding.store(stored.yielding);
   }
   void store() const {

@@ -7,7 +7,6 @@
 #include <cstddef>
 
 #include "collocation/arc_sweeps.hpp"
-#include "collocation/friction_in_lanes.hpp"
 #include "collocation/interval.hpp"
 #include "collocation/nodes_in_lanes.hpp"
 #include "contact/sticking.hpp"
@@ -49,8 +48,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   /// What it does to the shaft, as an acceleration.
   Vector push_of(const Touching& at) const {
     const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
-    return push_of_rigid(at.blade, tip, friction_at(friction_, at.slip, tip.slip_velocity).coefficient,
-                         at.er);
+    return push_of_rigid(at.blade, tip, friction_.at(tip.slip_velocity, at.slip).coefficient, at.er);
   }
 
   /// Calls `use` with each blade in contact.
@@ -90,8 +88,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       const Direction& er = at.er;
       const double friction = at.slip * friction_.friction;
       const double stiffness = at.blade.ring_stiffness;
-      const Vector normal{er.x * tip.radial_normal - er.y * tip.tangential_normal,
-                          er.y * tip.radial_normal + er.x * tip.tangential_normal};
+      const Vector normal = on_shaft(tip.normal, er);
       const Number load = tip.yielding * stiffness;
       sum.excess.x = sum.excess.x + load * (normal.x - normal.y * friction);
       sum.excess.y = sum.excess.y + load * (normal.y + normal.x * friction);
@@ -164,12 +161,15 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
       const Direction& er = at.er;
       const Number speed = angular_speed();
-      const Vector along{(tip.tangential_normal * er.x + tip.radial_normal * er.y) * -1.0,
-                         tip.radial_normal * er.x - tip.tangential_normal * er.y};
-      pull_[count] = (along.x * shaft_.ax + along.y * shaft_.ay) +
-                     angular_acceleration() * tip.radial_normal * at.blade.reach +
-                     speed * speed * tip.tangential_normal * at.blade.reach -
-                     tip.slip_velocity * tip.outward_velocity / tip.distance;
+      const Vector normal = on_shaft(tip.normal, er);
+      const Vector along{normal.y * -1.0, normal.x};
+      // The hub's own angular acceleration moves the tip across the blade.
+      const typename Base::InBlade acceleration{
+          shaft_.ax * er.x + shaft_.ay * er.y,
+          (shaft_.ay * er.x - shaft_.ax * er.y) + angular_acceleration() * at.blade.reach};
+      pull_[count] =
+          contact::slip_acceleration(tip.normal, tip.distance, contact::tip_rate(tip.at, speed),
+                                     contact::tip_acceleration(tip.at, speed, acceleration), speed);
       tangent[count] = along;
       ++count;
     });
@@ -234,6 +234,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::machine_;
   using Base::move;
   using Base::nodes_;
+  using Base::on_shaft;
   using Base::push_of_rigid;
   using Base::rigid_tip_of;
   using Base::ring_;

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "compared/guards.hpp"
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 #include "modes/contact_force.hpp"
 #include "modes/contact_limits.hpp"
 #include "modes/contact_setup.hpp"

@@ -19,7 +19,7 @@
 #include "compared/guards.hpp"
 #include "compared/solved.hpp"
 #include "contact/damped_ring.hpp"
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 #include "modes/law_of_damped_ring.hpp"
 #include "modes/open_contact.hpp"
 #include "rotor/bodies.hpp"

@@ -5,7 +5,7 @@
 
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 
 namespace rubatlas::compared {
 

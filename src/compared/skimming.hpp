@@ -8,7 +8,7 @@
 
 #include "compared/guards.hpp"
 #include "compared/solved.hpp"
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/skimming_judge.hpp"
 #include "rotor/skimming.hpp"

@@ -10,7 +10,7 @@
 
 #include "compared/contact_mode.hpp"
 #include "compared/guards.hpp"
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 #include "modes/open_contact.hpp"
 #include "rotor/bodies.hpp"
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 #include "modes/law.hpp"
 #include "rotor/machine.hpp"
 

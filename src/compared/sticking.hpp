@@ -8,8 +8,8 @@
 
 #include "compared/contact_mode.hpp"
 #include "compared/guards.hpp"
-#include "contact/pose.hpp"
 #include "contact/sticking.hpp"
+#include "contact/tip.hpp"
 #include "modes/rest_of_rigid_blades.hpp"
 
 namespace rubatlas::compared {

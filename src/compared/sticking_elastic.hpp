@@ -5,7 +5,7 @@
 
 #include "compared/guards.hpp"
 #include "compared/solved.hpp"
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/rest_of_elastic_blades.hpp"
 

@@ -14,7 +14,7 @@
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
 #include "contact/friction_law.hpp"
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 
 namespace rubatlas::contact {
 
@@ -62,8 +62,7 @@ class ElasticBladeOnDampedRing {
   }
   /// dy/dτ where the tip of a straight blade stands on the ring.
   [[nodiscard]] double depth_rate(const Pose& at, double angular_speed) const {
-    return 0.5 * gap_rate(geometry(), at, angular_speed) /
-           std::hypot(at.radial + geometry().reach, at.tangential);
+    return 0.5 * gap_rate(geometry(), at, angular_speed) / magnitude(unbent_tip(geometry(), at));
   }
   /// F of the ring where it yields by y at the rate y' [N].
   [[nodiscard]] double ring_load(double yielding, double rate) const {
@@ -73,8 +72,7 @@ class ElasticBladeOnDampedRing {
   [[nodiscard]] double bending_load(const Pose& at, double slip, double angular_speed) const {
     Pose touching = at;
     touching.gap = 0.0;
-    const double distance = std::hypot(at.radial + geometry().reach, at.tangential);
-    const ElasticaContact blade = blade_.in_ring(distance);
+    const ElasticaContact blade = blade_.in_ring(magnitude(unbent_tip(geometry(), at)));
     double bending = 0.0;
     TipForce force{};
     const bool bends = !blade.starts_unloaded(touching, slip) &&

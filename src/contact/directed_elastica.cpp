@@ -26,14 +26,9 @@ auto DirectedElastica::newton(const Pose& at, double slip, double angular_speed,
   for (int iteration = 0; iteration < 16; ++iteration) {
     const Constraint there = constraint(at, slip, angular_speed, bend);
     const double determinant = there.determinant();
-    const double by_modulus = (there.misdirection * there.residual_by_amplitude -
-                               there.residual * there.misdirection_by_amplitude) /
-                              determinant;
-    const double by_amplitude =
-        (there.residual * there.misdirection_by_modulus - there.misdirection * there.residual_by_modulus) /
-        determinant;
+    const Bend change = correction(there);
     const double size =
-        std::max(std::abs(by_modulus / bend.modulus), std::abs(by_amplitude / bend.amplitude));
+        std::max(std::abs(change.modulus / bend.modulus), std::abs(change.amplitude / bend.amplitude));
     if (!(size < 1e3)) return std::nullopt;  // a fold, or not a number
     // Steps cannot become smaller than the rounding of g divided by the slope, so the iteration also ends
     // where they no longer shrink.
@@ -45,10 +40,11 @@ auto DirectedElastica::newton(const Pose& at, double slip, double angular_speed,
       const bool falls = friction_.depends_on_velocity() || side * there.misdirection_by_amplitude < 0.0;
       if (!falls || !(determinant > 0.0)) return std::nullopt;
     }
-    const double modulus = side * (bend.modulus + by_modulus);
+    const double modulus = side * (bend.modulus + change.modulus);
     const double least = side * bend.modulus / kFarthest;
     bend.modulus = side * std::clamp(modulus, least, kLargestModulus);
-    bend.amplitude = std::clamp(bend.amplitude + by_amplitude, bend.amplitude / kFarthest, kLargestAmplitude);
+    bend.amplitude =
+        std::clamp(bend.amplitude + change.amplitude, bend.amplitude / kFarthest, kLargestAmplitude);
     if (ends) {
       if (there.blade.shortening.value > kLargestShortening) return std::nullopt;
       return bend;
@@ -228,8 +224,7 @@ auto DirectedElastica::solve_for_coefficient(const Pose& at, double slip, double
     if (!bend) return std::numeric_limits<double>::quiet_NaN();
     return coefficient - constraint_or_unloaded(at, slip, angular_speed, *bend).coefficient;
   };
-  const double start =
-      load_angle(at, slip, angular_speed, at.radial + geometry_.reach, at.tangential).coefficient;
+  const double start = load_angle(at, slip, angular_speed, unbent_tip(geometry_, at)).coefficient;
   double low = start;
   double at_low = excess(low);
   if (at_low == 0.0) return bend;
@@ -320,25 +315,16 @@ auto DirectedElastica::solve_near(const Pose& at, double slip, double angular_sp
   return root ? root : solve(at, slip, angular_speed, side);
 }
 
-void DirectedElastica::set_force(const Pose& at, double angular_speed, const Constraint& there,
-                                 TipForce& force) const {
-  const double a = there.radial;
-  const double b = there.tangential;
-  const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
-  const double normal_radial = a * inverse_distance;
-  const double normal_tangential = b * inverse_distance;
+TipForce DirectedElastica::force_of(const Pose& at, double angular_speed, const Constraint& there) const {
+  const double distance = magnitude(there.tip);
+  const double velocity =
+      slip_velocity(there.tip, tip_rate(at, angular_speed), angular_speed, 1.0 / distance, distance);
   const double c = there.coefficient;
-  // F = P / sqrt(1 + c²); on the rotor −F n − c F t.
-  const double load = load_unit_ * there.blade.load.value / std::sqrt(1.0 + c * c);
-  const double friction = c * load;
-  force.radial = -load * normal_radial + friction * normal_tangential;
-  force.tangential = -load * normal_tangential - friction * normal_radial;
-  force.normal = load;
+  TipForce force = tip_force(there.tip, distance, velocity,
+                             load_unit_ * there.blade.load.value / std::sqrt(1.0 + c * c), c);
   force.shortening = there.blade.shortening.value;
   force.root_strain = strain_unit_ * std::abs(there.blade.curvature);
-  force.slip_velocity =
-      normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
-      angular_speed * ((a - at.radial) * normal_radial + (b - at.tangential) * normal_tangential);
+  return force;
 }
 
 auto DirectedElastica::rest(const Pose& at, double angular_speed, const Bend& near) const
@@ -346,9 +332,8 @@ auto DirectedElastica::rest(const Pose& at, double angular_speed, const Bend& ne
   constexpr int kSteps = 8;                        // where Newton's method does not converge at once
   constexpr std::uint64_t kEvaluationsOfHold = 8;  // as a rule, of Newton's method on both unknowns
   if (!(near.amplitude > 0.0)) return std::nullopt;
-  const blade::InclinedPoint point = blade::inclined_equilibrium(near.modulus, near.amplitude);
-  const double from = std::atan2(at.tangential - length_ * point.deflection.value,
-                                 at.radial + geometry_.reach - length_ * point.shortening.value);
+  const BladeVector<double> tip = tip_of(at, blade::inclined_equilibrium(near.modulus, near.amplitude));
+  const double from = std::atan2(tip.across, tip.along);
   const auto place = resting_normal_angle(geometry_, at, angular_speed, from);
   if (!place) return std::nullopt;
   evaluations_ += kEvaluationsOfHold;
@@ -373,7 +358,7 @@ bool DirectedElastica::respond_at_rest(const Pose& at, double angular_speed, dou
   amplitude = there->blade.bend.amplitude;
   Constraint standing = constraint(at, 0.0, angular_speed, there->blade.bend);
   standing.coefficient = there->blade.coefficient;
-  set_force(at, angular_speed, standing, force);
+  force = force_of(at, angular_speed, standing);
   return true;
 }
 
@@ -403,7 +388,7 @@ bool DirectedElastica::respond(const Pose& at, double slip, double angular_speed
   if (!root) return false;
   bending = root->modulus;
   amplitude = root->amplitude;
-  set_force(mirrored, angular_speed, constraint_or_unloaded(mirrored, slip, angular_speed, *root), force);
+  force = force_of(mirrored, angular_speed, constraint_or_unloaded(mirrored, slip, angular_speed, *root));
   if (beyond_end && side * first > 0.0) {
     force.radial = -force.radial;
     force.tangential = -force.tangential;

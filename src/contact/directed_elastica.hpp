@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -33,6 +32,7 @@
 #include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
 #include "contact/sticking_elastica.hpp"
+#include "contact/tip.hpp"
 
 namespace rubatlas::contact {
 
@@ -80,8 +80,7 @@ class DirectedElastica {
   /// A contact at one bend, in equilibrium where `residual` and `misdirection` are zero.
   struct Constraint {
     blade::InclinedPoint blade;
-    double radial;                                              ///< rk·er [m]
-    double tangential;                                          ///< rk·et [m]
+    BladeVector<double> tip;                                    ///< [m]
     double coefficient;                                         ///< c [-]
     double residual;                                            ///< h [m²]
     double misdirection;                                        ///< d [rad]
@@ -101,29 +100,23 @@ class DirectedElastica {
     Constraint result;
     result.blade = blade::inclined_equilibrium(bend.modulus, bend.amplitude);
     const blade::InclinedPoint& point = result.blade;
-    const double shortening = length_ * point.shortening.value;  // δ
-    const double deflection = length_ * point.deflection.value;  // D
-    const double a = at.radial + geometry_.reach - shortening;
-    const double b = at.tangential - deflection;
-    result.radial = a;
-    result.tangential = b;
-    // h = a² + b² − R² written from g, so that a light contact keeps its digits.
-    result.residual = at.gap + shortening * (shortening - 2.0 * (at.radial + geometry_.reach)) +
-                      deflection * (deflection - 2.0 * at.tangential);
-    const double twice = -2.0 * length_;
-    result.residual_by_modulus = twice * (a * point.shortening.by_modulus + b * point.deflection.by_modulus);
-    result.residual_by_amplitude =
-        twice * (a * point.shortening.by_amplitude + b * point.deflection.by_amplitude);
-    const LoadAngle load = load_angle(at, slip, angular_speed, a, b);
+    const BladeVector<double>& tip = result.tip = tip_of(at, point);
+    result.residual = contact_equation(at.gap, unbent_tip(geometry_, at), bent_by(point));
+    const LoadAngle load = load_angle(at, slip, angular_speed, tip);
     result.coefficient = load.coefficient;
     result.misdirection = point.load_angle.value - load.angle;
-    // dα = (a db − b da)/|r|², and da = −L dδ, db = −L dD.
-    const double turn = load.angle_by_normal * length_ / (a * a + b * b);
-    result.misdirection_by_modulus = point.load_angle.by_modulus + turn * (a * point.deflection.by_modulus -
-                                                                           b * point.shortening.by_modulus);
-    result.misdirection_by_amplitude =
-        point.load_angle.by_amplitude +
-        turn * (a * point.deflection.by_amplitude - b * point.shortening.by_amplitude);
+    const double per_square = 1.0 / dot(tip, tip);
+    const auto set_slopes = [&](double shortening, double deflection, double load_angle, double& of_residual,
+                                double& of_misdirection) {
+      const BladeVector<double> change{-length_ * shortening, -length_ * deflection};
+      of_residual = square_change(tip, change);
+      // dα = (a db − b da)/|r|²
+      of_misdirection = load_angle - load.angle_by_normal * per_square * cross(tip, change);
+    };
+    set_slopes(point.shortening.by_modulus, point.deflection.by_modulus, point.load_angle.by_modulus,
+               result.residual_by_modulus, result.misdirection_by_modulus);
+    set_slopes(point.shortening.by_amplitude, point.deflection.by_amplitude, point.load_angle.by_amplitude,
+               result.residual_by_amplitude, result.misdirection_by_amplitude);
     return result;
   }
 
@@ -147,37 +140,26 @@ class DirectedElastica {
             determinant};
   }
   /// Force of a blade in equilibrium.
-  [[nodiscard]] TipForce force_of(const Pose& at, double angular_speed, const Constraint& there) const {
-    TipForce force{};
-    set_force(at, angular_speed, there, force);
-    return force;
-  }
+  [[nodiscard]] TipForce force_of(const Pose& at, double angular_speed, const Constraint& there) const;
   /// dh/dτ [m²] and dd/dτ [rad] at a fixed bend and a constant angular speed.
   struct Drift {
     double residual;
     double misdirection;
   };
-  /// `acceleration`: that of the shaft's centre along (real part) and across the blade [m per unit τ²].
-  [[nodiscard]] Drift drift(const Pose& at, double angular_speed, const std::complex<double>& acceleration,
+  /// `acceleration`: that of the shaft's centre [m per unit τ²].
+  [[nodiscard]] Drift drift(const Pose& at, double angular_speed, const BladeVector<double>& acceleration,
                             const Constraint& there) const {
-    const double a = there.radial;
-    const double b = there.tangential;
-    // a' and b' at a fixed bend, as seen from the blade.
-    const double along = at.radial_velocity + angular_speed * at.tangential;
-    const double across = at.tangential_velocity - angular_speed * at.radial;
-    Drift result{2.0 * (a * along + b * across), 0.0};
-    const double inverse_square = 1.0 / (a * a + b * b);
-    const double moment = a * across - b * along;
-    if (follows_normal()) result.misdirection -= moment * inverse_square;
+    const BladeVector<double>& tip = there.tip;
+    const BladeVector<double> rate = tip_rate(at, angular_speed);
+    Drift result{square_change(tip, rate), 0.0};
+    const double distance = magnitude(tip);
+    const double turning = cross(tip, rate) / distance;
+    if (follows_normal()) result.misdirection -= turning / distance;
     if (friction_.depends_on_velocity()) {
-      const double along_rate = acceleration.real() + 2.0 * angular_speed * at.tangential_velocity -
-                                angular_speed * angular_speed * at.radial;
-      const double across_rate = acceleration.imag() - 2.0 * angular_speed * at.radial_velocity -
-                                 angular_speed * angular_speed * at.tangential;
-      const double inverse_distance = std::sqrt(inverse_square);
-      const double velocity = inverse_distance * moment + angular_speed * geometry_.ring_radius;
-      const double velocity_rate = inverse_distance * (a * across_rate - b * along_rate -
-                                                       moment * (a * along + b * across) * inverse_square);
+      const double velocity = turning + angular_speed * geometry_.ring_radius;
+      const double velocity_rate = (cross(tip, tip_acceleration(at, angular_speed, acceleration)) -
+                                    turning * dot(tip, rate) / distance) /
+                                   distance;
       result.misdirection -=
           friction_.slope(velocity) * velocity_rate / (1.0 + there.coefficient * there.coefficient);
     }
@@ -220,12 +202,19 @@ class DirectedElastica {
   };
   [[nodiscard]] std::optional<Rest> rest(const Pose& at, double angular_speed, const Bend& near) const;
 
+  /// Where the tip of a bent blade lies [m].
+  [[nodiscard]] BladeVector<double> tip_of(const Pose& at, const blade::InclinedPoint& point) const {
+    return unbent_tip(geometry_, at) - bent_by(point);
+  }
   /// b of the undeformed blade [rad]; a blade that has just touched bends to the side of its sign.
   [[nodiscard]] double first_load_angle(const Pose& at, double slip, double angular_speed) const {
-    return load_angle(at, slip, angular_speed, at.radial + geometry_.reach, at.tangential).angle;
+    return load_angle(at, slip, angular_speed, unbent_tip(geometry_, at)).angle;
   }
 
  private:
+  [[nodiscard]] BladeVector<double> bent_by(const blade::InclinedPoint& point) const {
+    return {length_ * point.shortening.value, length_ * point.deflection.value};
+  }
   static Bend or_unloaded(const Bend& bend) {
     constexpr double kUnloaded = 1e-100;
     return {bend.modulus, std::abs(bend.amplitude) > kUnloaded ? bend.amplitude : kUnloaded};
@@ -243,27 +232,24 @@ class DirectedElastica {
     double coefficient;      ///< c [-]
   };
 
-  /// Angle of the load on a tip that stands at (a, b) along and across the blade. The slip velocity
-  /// depends on the tip's place only through the direction of the normal: v = (c' − Ω ez × c)·t + Ω R on the
-  /// ring.
-  [[nodiscard]] LoadAngle load_angle(const Pose& at, double slip, double angular_speed, double a,
-                                     double b) const {
+  /// Angle of the load on a tip. The slip velocity depends on the tip's place only through the direction of
+  /// the normal.
+  [[nodiscard]] LoadAngle load_angle(const Pose& at, double slip, double angular_speed,
+                                     const BladeVector<double>& tip) const {
     double normal_angle = 0.0;
     double by_normal = 0.0;
     if (follows_normal()) {
-      normal_angle = std::atan2(b, a);
+      normal_angle = std::atan2(tip.across, tip.along);
       by_normal = 1.0;
     }
     if (!friction_.depends_on_velocity()) {
       const double coefficient = friction_.coefficient(0.0, slip);
       return {normal_angle + std::atan(coefficient), by_normal, coefficient};
     }
-    const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
-    const double across = at.tangential_velocity - angular_speed * at.radial;
-    const double along = at.radial_velocity + angular_speed * at.tangential;
-    const double velocity =
-        inverse_distance * (a * across - b * along) + angular_speed * geometry_.ring_radius;
-    const double velocity_by_normal = -inverse_distance * (b * across + a * along);
+    const BladeVector<double> rate = tip_rate(at, angular_speed);
+    const double per_distance = 1.0 / magnitude(tip);
+    const double velocity = slip_velocity(tip, rate, angular_speed, per_distance, geometry_.ring_radius);
+    const double velocity_by_normal = -per_distance * dot(tip, rate);
     const double coefficient = friction_.coefficient(velocity, slip);
     return {normal_angle + std::atan(coefficient),
             by_normal + friction_.slope(velocity) * velocity_by_normal / (1.0 + coefficient * coefficient),
@@ -289,7 +275,6 @@ class DirectedElastica {
   /// The smallest φ with d = 0 at a fixed κ, which has the smallest load.
   [[nodiscard]] std::optional<double> amplitude_of(const Pose& at, double slip, double angular_speed,
                                                    double modulus, double guess) const;
-  void set_force(const Pose& at, double angular_speed, const Constraint& there, TipForce& force) const;
 
   LoadDirection direction_;
   Geometry geometry_;

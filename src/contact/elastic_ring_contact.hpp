@@ -1,10 +1,9 @@
 /// Contact law `elastic_ring`: rigid blades, and a massless ring that yields under each tip (MODEL 4.7).
 #pragma once
 
-#include <cmath>
-
 #include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
+#include "contact/tip.hpp"
 
 namespace rubatlas::contact {
 
@@ -33,9 +32,7 @@ class ElasticRingContact {
   /// stages may land.
   bool respond(const Pose& at, double slip, double angular_speed, double& /*bending*/,
                TipForce& force) const {
-    const double a = at.radial + geometry_.reach;
-    const double b = at.tangential;
-    const double distance = std::sqrt(a * a + b * b);
+    const double distance = magnitude(unbent_tip(geometry_, at));
     // |rk| − R from g = |rk|² − R²: exact where |rk| and R are nearly equal.
     double load = stiffness_ * at.gap / (distance + geometry_.ring_radius);
     if (damping_ > 0.0) load += damping_ * (0.5 * gap_rate(geometry_, at, angular_speed) / distance);
@@ -44,21 +41,9 @@ class ElasticRingContact {
   }
   /// Force and slip velocity of a tip under the normal load F [N].
   [[nodiscard]] TipForce under_load(const Pose& at, double slip, double angular_speed, double load) const {
-    TipForce force;
-    const double a = at.radial + geometry_.reach;
-    const double b = at.tangential;
-    const double distance = std::sqrt(a * a + b * b);
-    const double normal_radial = a / distance;
-    const double normal_tangential = b / distance;
-    force.slip_velocity = normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
-                          angular_speed * geometry_.reach * normal_radial;
-    const double friction = friction_.coefficient(force.slip_velocity, slip) * load;
-    force.radial = -load * normal_radial + friction * normal_tangential;
-    force.tangential = -load * normal_tangential - friction * normal_radial;
-    force.normal = load;
-    force.shortening = 0.0;
-    force.root_strain = 0.0;
-    return force;
+    const double velocity = undeformed_slip_velocity(geometry_, at, angular_speed);
+    const BladeVector<double> tip = unbent_tip(geometry_, at);
+    return tip_force(tip, magnitude(tip), velocity, load, friction_.coefficient(velocity, slip));
   }
 
  private:

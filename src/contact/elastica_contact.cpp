@@ -10,6 +10,21 @@
 
 namespace rubatlas::contact {
 
+Constraint ElasticaContact::constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
+                                          double angular_speed) const {
+  const BladeVector<double> there = tip(at, slip, point);
+  const BladeVector<double> rate = tip_rate(at, angular_speed);
+  const double distance = magnitude(there);
+  const double velocity = slip_velocity(there, rate, angular_speed, 1.0 / distance, distance);
+  TipForce force =
+      tip_force(there, distance, velocity, blade_.load_unit * point.load, slip * blade_.friction);
+  force.shortening = point.shortening;
+  // (h/2) θ'(0) with EI θ'(0) = F Δ + μF (L − δ)
+  force.root_strain =
+      blade_.strain_unit * point.load * (point.deflection + blade_.friction * (1.0 - point.shortening));
+  return {force, residual(at, slip, point), slope(at, slip, point), square_change(there, rate)};
+}
+
 std::optional<double> ElasticaContact::solve(const Pose& at, double slip) const {
   if (has_branches_) return solve_on_branches(at, slip);
   if (releases_at_fold() && at.gap < -gap_rounding(geometry(), at)) return solve_beyond_ring(at, slip);
@@ -178,15 +193,10 @@ bool ElasticaContact::stands_beyond_fold(const Pose& at, double slip, double ben
 }
 
 auto ElasticaContact::incline(const Pose& at, double slip, const blade::CurvePoint& point) const -> Incline {
-  const double along = at.radial + blade_.geometry.reach - blade_.length * point.shortening;
-  const double across = slip * (at.tangential - slip * blade_.length * point.deflection);
-  const double parts =
-      2.0 * blade_.length *
-          (std::abs(along * point.shortening_slope) + std::abs(across * point.deflection_slope)) +
-      2.0 * blade_.yield_unit * (blade_.geometry.ring_radius + blade_.yield_unit * point.load) *
-          point.load_slope;
+  const SlopeParts parts = slope_parts(at, slip, point);
   const double unit = blade_.friction > 0.0 ? 1.0 / point.load_slope : 1.0;
-  return {unit * slope(at, slip, point), unit * parts};
+  return {unit * parts.sum(),
+          unit * (std::abs(parts.shortening) + std::abs(parts.deflection) + std::abs(parts.ring))};
 }
 
 std::optional<double> ElasticaContact::solve_near_on_branch(const Pose& at, double slip,

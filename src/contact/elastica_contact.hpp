@@ -31,6 +31,7 @@
 #include "blade/elastica_curve.hpp"
 #include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
+#include "contact/tip.hpp"
 
 namespace rubatlas::contact {
 
@@ -71,60 +72,6 @@ struct ElasticBladeInRing {
   double friction;     ///< μ [-]
   double yield_unit;   ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not
 };
-
-/// h = a² + b² − (R + F/kr)² [m²] (MODEL 4.1) of a blade at `at` that is bent to `point`, written from g, so
-/// that a light contact keeps its digits. `Point`: of the curve or one of its knots.
-template <class Point>
-double residual_of(const ElasticBladeInRing& blade, const Pose& at, double slip, const Point& point) {
-  const double shortening = blade.length * point.shortening;  // δ
-  const double deflection = blade.length * point.deflection;  // Δ
-  const double residual = at.gap + shortening * (shortening - 2.0 * (at.radial + blade.geometry.reach)) +
-                          deflection * (deflection - 2.0 * slip * at.tangential);
-  const double yielding = blade.yield_unit * point.load;  // F/kr
-  return residual - yielding * (2.0 * blade.geometry.ring_radius + yielding);
-}
-
-/// ∂h/∂u [m²] there, where the tip lies at (a, b) along and across the blade, seen from the ring's centre.
-template <class Point>
-double bending_slope_of(const ElasticBladeInRing& blade, double a, double b, double slip,
-                        const Point& point) {
-  const double of_ring =
-      blade.yield_unit * (blade.geometry.ring_radius + blade.yield_unit * point.load) * point.load_slope;
-  return (-2.0 * blade.length) * (a * point.shortening_slope + slip * b * point.deflection_slope) -
-         2.0 * of_ring;
-}
-
-/// The contact equation and the force of the tip (MODEL 4.1 to 4.4) there.
-inline Constraint constraint_of(const ElasticBladeInRing& blade, const Pose& at, double slip,
-                                const blade::CurvePoint& point, double angular_speed) {
-  const double reach = blade.geometry.reach;
-  const double shortening = blade.length * point.shortening;  // δ
-  const double deflection = blade.length * point.deflection;  // Δ
-  const double a = at.radial + reach - shortening;
-  const double b = at.tangential - slip * deflection;
-  Constraint result{};
-  result.residual = residual_of(blade, at, slip, point);
-  result.bending_slope = bending_slope_of(blade, a, b, slip, point);
-  result.time_slope = 2.0 * a * (at.radial_velocity + angular_speed * at.tangential) +
-                      2.0 * b * (at.tangential_velocity - angular_speed * at.radial);
-  const double inverse_distance = 1.0 / std::sqrt(a * a + b * b);
-  const double normal_radial = a * inverse_distance;
-  const double normal_tangential = b * inverse_distance;
-  const double load = blade.load_unit * point.load;
-  const double friction = slip * blade.friction * load;
-  // Fk = −F n − s μ F t with t = n turned by +90°.
-  result.force.radial = -load * normal_radial + friction * normal_tangential;
-  result.force.tangential = -load * normal_tangential - friction * normal_radial;
-  result.force.normal = load;
-  result.force.shortening = point.shortening;
-  // (h/2) θ'(0) with EI θ'(0) = F Δ + μF (L − δ)
-  result.force.root_strain =
-      blade.strain_unit * point.load * (point.deflection + blade.friction * (1.0 - point.shortening));
-  result.force.slip_velocity =
-      normal_radial * at.tangential_velocity - normal_tangential * at.radial_velocity +
-      angular_speed * ((reach - shortening) * normal_radial - slip * deflection * normal_tangential);
-  return result;
-}
 
 class ElasticaContact {
  public:
@@ -277,24 +224,43 @@ class ElasticaContact {
   /// h [m²] there. `point`: of the curve or one of its knots.
   template <class Point>
   [[nodiscard]] double residual(const Pose& at, double slip, const Point& point) const {
-    return residual_of(blade_, at, slip, point);
+    return contact_equation(at.gap, unbent_tip(geometry(), at), bent_by(slip, point)) -
+           widening(blade_.yield_unit * point.load, blade_.geometry.ring_radius);
   }
   /// How often the curve has been evaluated for this law. A law belongs to one motion and one thread.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
-  [[nodiscard]] Constraint constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
-                                         double angular_speed) const {
-    return constraint_of(blade_, at, slip, point, angular_speed);
+  /// (δ, s Δ) [m].
+  template <class Point>
+  [[nodiscard]] BladeVector<double> bent_by(double slip, const Point& point) const {
+    return {blade_.length * point.shortening, slip * blade_.length * point.deflection};
   }
-
+  template <class Point>
+  [[nodiscard]] BladeVector<double> tip(const Pose& at, double slip, const Point& point) const {
+    return unbent_tip(geometry(), at) - bent_by(slip, point);
+  }
+  /// What ∂h/∂u has of the bend, and of the ring that yields [m²].
+  struct SlopeParts {
+    double shortening, deflection, ring;
+    [[nodiscard]] double sum() const { return shortening + deflection + ring; }
+  };
+  template <class Point>
+  [[nodiscard]] SlopeParts slope_parts(const Pose& at, double slip, const Point& point) const {
+    const BladeVector<double> there = tip(at, slip, point);
+    const double twice = -2.0 * blade_.length;
+    return {twice * there.along * point.shortening_slope,
+            twice * slip * there.across * point.deflection_slope,
+            -2.0 * blade_.yield_unit * (blade_.geometry.ring_radius + blade_.yield_unit * point.load) *
+                point.load_slope};
+  }
   /// ∂h/∂u.
   template <class Point>
   [[nodiscard]] double slope(const Pose& at, double slip, const Point& point) const {
-    const double a = at.radial + blade_.geometry.reach - blade_.length * point.shortening;
-    const double b = at.tangential - slip * blade_.length * point.deflection;
-    return bending_slope_of(blade_, a, b, slip, point);
+    return slope_parts(at, slip, point).sum();
   }
+  [[nodiscard]] Constraint constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
+                                         double angular_speed) const;
 
   [[nodiscard]] blade::CurvePoint straight(double load) const {
     return {load, curve_->axial_compliance() * load, 0.0, 0.0, 0.0, 0.0};
@@ -334,9 +300,9 @@ class ElasticaContact {
   [[nodiscard]] std::optional<double> solve_near_on_branch(const Pose& at, double slip, double bending) const;
   /// Whether a blade stands on another branch than the one that starts from the unloaded blade.
   [[nodiscard]] bool stands_beyond_fold(const Pose& at, double slip, double bending) const;
+  /// `rise`, and the sum of the magnitudes of which it is made.
   struct Incline {
-    double rise;   ///< `rise`
-    double parts;  ///< sum of the magnitudes of which it is made
+    double rise, parts;
   };
   [[nodiscard]] Incline incline(const Pose& at, double slip, const blade::CurvePoint& point) const;
 

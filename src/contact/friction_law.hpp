@@ -7,8 +7,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+
+#include "contact/functions_of_numbers.hpp"
 
 namespace rubatlas::contact {
 
@@ -55,29 +56,28 @@ struct Friction {
   [[nodiscard]] bool depends_on_velocity() const { return law != Law::coulomb; }
   /// Bound of |c|.
   [[nodiscard]] double largest() const { return std::max(static_friction, friction); }
+  /// c, and dc/dv [1/(m per unit τ)] at fixed s. `Number`: `double`, or eight nodes in lanes.
+  template <class Number>
+  struct At {
+    Number coefficient, slope;
+  };
+  template <class Number>
+  [[nodiscard]] At<Number> at(const Number& velocity, double slip) const {
+    if (law == Law::coulomb) return {Number(slip * friction), Number(0.0)};
+    const double per_velocity = 1.0 / regularising_velocity;
+    const Number share = hyperbolic_tangent(velocity * per_velocity);
+    const Number rise = (Number(1.0) - share * share) * per_velocity;
+    if (law == Law::regularised) return {share * friction, rise * friction};
+    const double excess = static_friction - friction;
+    const Number ratio = velocity * (1.0 / stribeck_velocity);
+    const Number more = (Number(1.0) - decayed(ratio * ratio)) * excess;
+    const Number size = more + friction;
+    return {size * share, size * rise - ratio * more * share * (2.0 / stribeck_velocity)};
+  }
   [[nodiscard]] double coefficient(double velocity, double slip) const {
-    if (law == Law::coulomb) return slip * friction;
-    return size(velocity) * std::tanh(velocity / regularising_velocity);
+    return at(velocity, slip).coefficient;
   }
-  /// dc/dv [1/(m per unit τ)] at fixed s.
-  [[nodiscard]] double slope(double velocity) const {
-    if (law == Law::coulomb) return 0.0;
-    const double share = std::tanh(velocity / regularising_velocity);
-    if (law == Law::regularised) return friction / regularising_velocity * (1.0 - share * share);
-    const double ratio = velocity / stribeck_velocity;
-    return -2.0 * ratio / stribeck_velocity * excess(velocity) * share +
-           size(velocity) * (1.0 - share * share) / regularising_velocity;
-  }
-
- private:
-  /// |c| where |v| is large against v0.
-  [[nodiscard]] double size(double velocity) const {
-    return law == Law::stribeck ? friction + excess(velocity) : friction;
-  }
-  [[nodiscard]] double excess(double velocity) const {
-    const double ratio = velocity / stribeck_velocity;
-    return (static_friction - friction) * std::exp(-ratio * ratio);
-  }
+  [[nodiscard]] double slope(double velocity) const { return at(velocity, 1.0).slope; }
 };
 
 }  // namespace rubatlas::contact

@@ -34,21 +34,29 @@ struct BladeDirection {
   double sine;
 };
 
-/// Shaft centre and its velocity seen from one blade.
-struct Pose {
-  double radial;               ///< cr = c·er [m]
-  double tangential;           ///< ct = c·et [m]
-  double radial_velocity;      ///< c'·er [m per unit τ]
-  double tangential_velocity;  ///< c'·et [m per unit τ]
-  double gap;                  ///< g = |c + (rh+L) er|² − R² [m²]: in contact exactly while positive
+/// Shaft centre and its velocity seen from one blade. `Number`: `double`, eight nodes in lanes, or a number
+/// that carries its slopes.
+template <class Number>
+struct PoseOf {
+  Number radial;               ///< cr = c·er [m]
+  Number tangential;           ///< ct = c·et [m]
+  Number radial_velocity;      ///< c'·er [m per unit τ]
+  Number tangential_velocity;  ///< c'·et [m per unit τ]
+  Number gap;                  ///< g = |c + (rh+L) er|² − R² [m²]: in contact exactly while positive
 };
+using Pose = PoseOf<double>;
 
-/// `cx, cy` is c = (x, y + y0) [m]; `vx, vy` its velocity.
+/// `er_x, er_y` is er; `cx, cy` is c = (x, y + y0) [m]; `vx, vy` its velocity.
+template <class Number>
+PoseOf<Number> pose(const Geometry& geometry, const Number& er_x, const Number& er_y, const Number& cx,
+                    const Number& cy, const Number& vx, const Number& vy) {
+  const Number radial = cx * er_x + cy * er_y;
+  return {radial, cy * er_x - cx * er_y, vx * er_x + vy * er_y, vy * er_x - vx * er_y,
+          cx * cx + cy * cy + 2.0 * geometry.reach * radial + geometry.closing()};
+}
 inline Pose pose(const Geometry& geometry, const BladeDirection& er, double cx, double cy, double vx,
                  double vy) {
-  const double radial = cx * er.cosine + cy * er.sine;
-  return {radial, cy * er.cosine - cx * er.sine, vx * er.cosine + vy * er.sine, vy * er.cosine - vx * er.sine,
-          cx * cx + cy * cy + 2.0 * geometry.reach * radial + geometry.closing()};
+  return pose<double>(geometry, er.cosine, er.sine, cx, cy, vx, vy);
 }
 
 /// Rounding of g there [m²].
@@ -73,36 +81,10 @@ inline double gap_curvature(const Geometry& geometry, const BladeDirection& er, 
              (outward + angular_speed * (2.0 * at.tangential_velocity - angular_speed * at.radial));
 }
 
-/// Slip velocity of the undeformed tip [m per unit τ], which gives the slip direction of a new contact
-/// (MODEL 4.4).
-inline double undeformed_slip_velocity(const Geometry& geometry, const Pose& at, double angular_speed) {
-  const double a = at.radial + geometry.reach;
-  const double b = at.tangential;
-  return (a * at.tangential_velocity - b * at.radial_velocity + angular_speed * geometry.reach * a) /
-         std::hypot(a, b);
-}
-
 inline constexpr double kSlipRounding = 1e-12;  ///< of the larger of Ω R and the shaft's speed
 /// |v| where a slip reversal has been located [m per unit τ]. `tip_speed`: Ω R; `vx`, `vy`: z'.
 inline double slip_rounding(double tip_speed, double vx, double vy) {
   return kSlipRounding * std::fmax(std::abs(tip_speed), std::hypot(vx, vy));
-}
-
-/// What a contact does: the force on the rotor, resolved along and across the blade, and what is recorded of
-/// it.
-struct TipForce {
-  double radial;         ///< Fk·er [N]
-  double tangential;     ///< Fk·et [N]
-  double normal;         ///< F [N]
-  double shortening;     ///< δ/L [-]
-  double root_strain;    ///< bending strain at the root [-]; 0 for a rigid blade
-  double slip_velocity;  ///< v of the deformed tip [m per unit τ]
-};
-
-/// Force on the rotor along x and y of a tip whose blade stands at `er` [N].
-inline std::complex<double> on_rotor(const TipForce& force, const BladeDirection& er) {
-  return {force.radial * er.cosine - force.tangential * er.sine,
-          force.radial * er.sine + force.tangential * er.cosine};
 }
 
 }  // namespace rubatlas::contact

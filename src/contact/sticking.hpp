@@ -1,30 +1,22 @@
 /// A rigid blade's tip that sticks to the ring: the friction that keeps its slip velocity at rest.
 ///
 /// With r = c + (rh+L) er, n = r/|r|, t = n turned by +90°, the slip velocity is v = r'·t, hence
-///     dv/dτ = t·c'' + Ω² (rh+L) ct/|r| − v (n·r')/|r|,
-/// and c'' contains the blade's own friction as −c F t/(m ωn²). So dv/dτ is linear in the friction
-/// coefficient c, and sticking is the one c that makes it zero: Coulomb's law as an inclusion, c ∈ [−μ, μ] at
-/// v = 0 (Filippov; Leine, Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical Systems, Springer
-/// 2004). The tip begins to slip where |c| reaches the static μ, in the direction s = sign c.
+///     dv/dτ = t·c'' + Ω² (rh+L) ct/|r| − v (n·r')/|r|
+/// (here from r as the turning blade sees it), and c'' contains the blade's own friction as −c F t/(m ωn²).
+/// So dv/dτ is linear in the friction coefficient c, and sticking is the one c that makes it zero: Coulomb's
+/// law as an inclusion, c ∈ [−μ, μ] at v = 0 (Filippov; Leine, Nijmeijer, Dynamics and Bifurcations of
+/// Non-Smooth Mechanical Systems, Springer 2004). The tip begins to slip where |c| reaches the static μ, in
+/// the direction s = sign c.
 #pragma once
 
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <span>
 
 #include "contact/friction_law.hpp"
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 
 namespace rubatlas::contact {
-
-/// Acceleration of the shaft's centre without the friction at the blade in question, along and across that
-/// blade [m per unit τ²]: from shaft, damping, unbalance and other blades. It may include the blade's own
-/// normal force, which does not change dv/dτ.
-struct OtherAcceleration {
-  double radial;      ///< ·er
-  double tangential;  ///< ·et
-};
 
 /// Of μs, beyond which a tip comes loose: rounding does not lead it back.
 inline constexpr double kShareBeyondCone = 1e-9;
@@ -60,21 +52,22 @@ inline std::complex<double> tangent(const Geometry& geometry, const Pose& at) {
   return outward / std::abs(outward) * std::complex<double>(0.0, 1.0);
 }
 
-/// dv/dτ [m per unit τ²] of a rigid blade's tip under the friction coefficient c; `load_acceleration` is
-/// F/(m ωn²) [m per unit τ²].
+/// dv/dτ [m per unit τ²] of a rigid blade's tip at the distance |r| in the direction n; `rate` and
+/// `acceleration`: of r as seen from the blade (`tip.hpp`).
+template <class Number, class Speed>
+Number slip_acceleration(const BladeVector<Number>& normal, const Number& distance,
+                         const BladeVector<Number>& rate, const BladeVector<Number>& acceleration,
+                         const Speed& angular_speed) {
+  return cross(normal, acceleration) + dot(normal, rate) * (angular_speed - cross(normal, rate) / distance);
+}
+/// The same where the shaft's centre moves with `acceleration`, without the friction of this tip: by support,
+/// unbalance and other blades. The normal force of this one does not change dv/dτ.
 inline double slip_acceleration(const Geometry& geometry, const Pose& at, double angular_speed,
-                                const OtherAcceleration& other, double load_acceleration,
-                                double coefficient) {
-  const double a = at.radial + geometry.reach;
-  const double b = at.tangential;
-  const double distance = std::sqrt(a * a + b * b);
-  const double across = at.tangential_velocity + angular_speed * geometry.reach;
-  const double slip_velocity = (a * across - b * at.radial_velocity) / distance;
-  const double outward_velocity = (a * at.radial_velocity + b * across) / distance;
-  return (a * other.tangential - b * other.radial + angular_speed * angular_speed * geometry.reach * b -
-          slip_velocity * outward_velocity) /
-             distance -
-         coefficient * load_acceleration;
+                                const BladeVector<double>& acceleration) {
+  const BladeVector<double> tip = unbent_tip(geometry, at);
+  const double distance = magnitude(tip);
+  return slip_acceleration(tip / distance, distance, tip_rate(at, angular_speed),
+                           tip_acceleration(at, angular_speed, acceleration), angular_speed);
 }
 
 }  // namespace rubatlas::contact

@@ -30,6 +30,7 @@
 
 #include "blade/inclined_elastica.hpp"
 #include "contact/pose.hpp"
+#include "contact/tip.hpp"
 
 namespace rubatlas::contact {
 
@@ -38,11 +39,10 @@ namespace rubatlas::contact {
 /// that no tip on the ring can be at rest.
 inline std::optional<double> resting_normal_angle(const Geometry& geometry, const Pose& at,
                                                   double angular_speed, double near) {
-  const double across = at.tangential_velocity - angular_speed * at.radial;
-  const double along = at.radial_velocity + angular_speed * at.tangential;
-  const double ratio = -angular_speed * geometry.ring_radius / std::hypot(across, along);
+  const BladeVector<double> rate = tip_rate(at, angular_speed);
+  const double ratio = -angular_speed * geometry.ring_radius / magnitude(rate);
   if (!(std::abs(ratio) <= 1.0)) return std::nullopt;
-  const double centre = -std::atan2(along, across);
+  const double centre = -std::atan2(rate.along, rate.across);
   const double spread = std::acos(ratio);
   const auto distance = [&](double angle) {
     return std::abs(std::remainder(angle - near, 2.0 * std::acos(-1.0)));
@@ -54,9 +54,8 @@ inline std::optional<double> resting_normal_angle(const Geometry& geometry, cons
 
 /// dv/dα [m per unit τ] of a tip on the ring.
 inline double slip_by_normal_angle(const Pose& at, double angular_speed, double normal_angle) {
-  const double across = at.tangential_velocity - angular_speed * at.radial;
-  const double along = at.radial_velocity + angular_speed * at.tangential;
-  return -across * std::sin(normal_angle) - along * std::cos(normal_angle);
+  const BladeVector<double> rate = tip_rate(at, angular_speed);
+  return -rate.across * std::sin(normal_angle) - rate.along * std::cos(normal_angle);
 }
 
 /// A blade whose tip is held at a place on the ring.

@@ -3,7 +3,7 @@
 
 #include <complex>
 
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 #include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {

@@ -12,7 +12,7 @@
 
 #include "collocation/arc_law.hpp"
 #include "contact/directed_elastica.hpp"
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 #include "contact/unequal_blades.hpp"
 #include "modes/contact_setup.hpp"
 #include "modes/open_contact.hpp"

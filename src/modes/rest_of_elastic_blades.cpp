@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "contact/friction_law.hpp"
-#include "contact/pose.hpp"
 #include "contact/sticking_elastica.hpp"
+#include "contact/tip.hpp"
 #include "modes/law_of_inclined_loads.hpp"
 #include "rotor/constants.hpp"
 

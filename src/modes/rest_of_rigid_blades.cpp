@@ -78,10 +78,10 @@ RestOfRigidBlades::Balance RestOfRigidBlades::balance(const State& state, Contac
   for (AtRest& tip : tips) {
     const contact::Geometry& geometry = law_->geometry(contacts[tip.contact].blade);
     const std::complex<double> seen = result.acceleration * std::conj(tip.direction);
-    contact::OtherAcceleration other{seen.real(), seen.imag()};
     // The hub's own angular acceleration moves the tip across the blade.
-    other.tangential += geometry.reach * blades().angular_acceleration(state[rotor::kTime]);
-    tip.pull = contact::slip_acceleration(geometry, tip.pose, angular_speed(state), other, tip.load, 0.0);
+    const double turning = geometry.reach * blades().angular_acceleration(state[rotor::kTime]);
+    tip.pull = contact::slip_acceleration(geometry, tip.pose, angular_speed(state),
+                                          {seen.real(), seen.imag() + turning});
   }
   contact::share_out(tips);
   for (const AtRest& tip : tips) result.acceleration -= tip.pull * tip.tangent;

@@ -14,8 +14,8 @@
 #include <span>
 #include <vector>
 
-#include "contact/pose.hpp"
 #include "contact/sticking.hpp"
+#include "contact/tip.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/rest_judge.hpp"
 #include "modes/tip_places.hpp"

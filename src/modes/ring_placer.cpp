@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 #include "modes/law_of_rigid_blades.hpp"
 #include "rotor/ring_balance.hpp"
 

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/tip_places.hpp"
 #include "rotor/bodies.hpp"

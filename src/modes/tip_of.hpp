@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 #include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {

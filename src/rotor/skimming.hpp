@@ -6,7 +6,7 @@
 
 #include <complex>
 
-#include "contact/pose.hpp"
+#include "contact/tip.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
 #include "rotor/machine.hpp"

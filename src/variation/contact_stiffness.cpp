@@ -39,16 +39,7 @@ double rate(const Slopes& slopes, const State& state, const Eigen::Vector2d& acc
          slopes.segment<2>(kVelocity).dot(acceleration);
 }
 
-struct Vector {
-  Number x, y;
-};
-Number dot(const Vector& one, const Vector& other) {
-  return one.x * other.x + one.y * other.y;
-}
-/// J.
-Vector turned_by_quarter(const Vector& vector) {
-  return {-vector.y, vector.x};
-}
+using Vector = contact::BladeVector<Number>;
 
 /// A table takes longer than a short motion, and lines that are computed one after the other mostly share it.
 std::shared_ptr<const blade::ElasticaCurve> curve_of(double friction, blade::Theory theory) {
@@ -62,8 +53,7 @@ std::shared_ptr<const blade::ElasticaCurve> curve_of(double friction, blade::The
 
 /// A tip in contact.
 struct ContactStiffness::Tip {
-  Vector place;                                   ///< w [m]
-  Vector force;                                   ///< f [N]
+  Number force_x, force_y;                        ///< f [N]
   Number slip;                                    ///< v |w| [m² per unit τ]
   std::array<Number, kMostUnknowns> constraints;  ///< h [m²], and the direction of the load [rad]
   int unknowns = 0;
@@ -126,14 +116,14 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
                                                            const State& state) const {
   const contact::BladeDirection direction = blades_.direction(contact.blade, blades_.first(time));
   const Number turned(0.0, rotor_.speed_ratio * Slopes::Unit(kTime));
-  const Vector er{of(direction.cosine, -direction.sine, turned),
-                  of(direction.sine, direction.cosine, turned)};
-  const Vector et = turned_by_quarter(er);
-  const Vector centre{variable(state[0], kPlace), variable(state[1] + rotor_.misalignment, kPlace + 1)};
-  const Vector velocity{variable(state[2], kVelocity), variable(state[3], kVelocity + 1)};
+  const Number er_x = of(direction.cosine, -direction.sine, turned);
+  const Number er_y = of(direction.sine, direction.cosine, turned);
+  const contact::PoseOf<Number> at = contact::pose<Number>(
+      geometry_, er_x, er_y, variable(state[0], kPlace), variable(state[1] + rotor_.misalignment, kPlace + 1),
+      variable(state[2], kVelocity), variable(state[3], kVelocity + 1));
 
   Tip tip;
-  Number shortening(0.0), deflection(0.0);  // δ and sΔ
+  Vector bent{Number(0.0), Number(0.0)};
   Number load(0.0), load_angle(0.0);
   if (const auto* elastic = std::get_if<ElasticBlade>(&law_)) {
     tip.unknowns = 1;
@@ -146,8 +136,8 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
     }
     const blade::CurvePoint point = elastic->curve().at(bending);
     const Number u = variable(bending, kBend);
-    shortening = elastic->length() * of(point.shortening, point.shortening_slope, u);
-    deflection = contact.slip * elastic->length() * of(point.deflection, point.deflection_slope, u);
+    bent.along = elastic->length() * of(point.shortening, point.shortening_slope, u);
+    bent.across = contact.slip * elastic->length() * of(point.deflection, point.deflection_slope, u);
     load = elastic->load_unit() * of(point.load, point.load_slope, u);
   } else if (const auto* directed = std::get_if<DirectedBlade>(&law_)) {
     tip.unknowns = 2;
@@ -157,20 +147,19 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
       slopes.segment<2>(kBend) << quantity.by_modulus, quantity.by_amplitude;
       return Number(quantity.value, slopes);
     };
-    shortening = directed->length() * of_bend(point.shortening);
-    deflection = directed->length() * of_bend(point.deflection);
+    bent.along = directed->length() * of_bend(point.shortening);
+    bent.across = directed->length() * of_bend(point.deflection);
     load = directed->load_unit() * of_bend(point.load);
     load_angle = of_bend(point.load_angle);
   }
-  const Number along = geometry_.reach - shortening;
-  const Vector from_centre{along * er.x - deflection * et.x, along * er.y - deflection * et.y};  // w − c
-  tip.place = {centre.x + from_centre.x, centre.y + from_centre.y};
-  const Number square = dot(tip.place, tip.place);
-  const Number distance = sqrt(square);
-  const Vector across = turned_by_quarter(tip.place);
-  tip.slip = dot(velocity, across) + rotor_.speed_ratio * dot(from_centre, tip.place);
+  const Vector unbent{at.radial + geometry_.reach, at.tangential};
+  const Vector place{unbent.along - bent.along, unbent.across - bent.across};
+  const Number distance = sqrt(place.along * place.along + place.across * place.across);
+  const Number speed(rotor_.speed_ratio);
+  const Number slip_velocity =
+      contact::slip_velocity(place, contact::tip_rate(at, speed), speed, Number(1.0 / distance), distance);
+  tip.slip = slip_velocity * distance;
 
-  const Number slip_velocity = tip.slip / distance;
   const auto friction_under = [&](const contact::Friction& law) {
     return of(law.coefficient(slip_velocity.value(), contact.slip), law.slope(slip_velocity.value()),
               slip_velocity);
@@ -187,10 +176,12 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
   } else {
     friction = Number(contact.slip * std::get<ElasticBlade>(law_).curve().friction());
   }
-  tip.constraints[0] = square - geometry_.ring_radius * geometry_.ring_radius;
-  const Number per_distance = -load / distance;
-  tip.force = {per_distance * (tip.place.x + friction * across.x),
-               per_distance * (tip.place.y + friction * across.y)};
+  tip.constraints[0] = contact::contact_equation(at.gap, unbent, bent);
+  const Vector direction_of_push = contact::push_direction(place, friction);
+  const Number per_distance = load / distance;
+  const Vector push{per_distance * direction_of_push.along, per_distance * direction_of_push.across};
+  tip.force_x = push.along * er_x - push.across * er_y;
+  tip.force_y = push.along * er_y + push.across * er_x;
   return tip;
 }
 
@@ -214,8 +205,8 @@ std::optional<ForceSlopes> ContactStiffness::along_path(const trajectory::PathPo
           (point.time_rate * by_time - rates.dot(by_bend)) / (determinant * by_time + drift.dot(by_bend));
     }
     Eigen::Matrix<double, 2, 4> slopes;
-    slopes << there->by_state(there->force.x, point.time_rate, lambda),
-        there->by_state(there->force.y, point.time_rate, lambda);
+    slopes << there->by_state(there->force_x, point.time_rate, lambda),
+        there->by_state(there->force_y, point.time_rate, lambda);
     sum.by_place += slopes.leftCols<2>();
     sum.by_velocity += slopes.rightCols<2>();
   }

@@ -19,7 +19,7 @@ MAY_INCLUDE = {
     "src/ending": [],
     "src/trajectory": ["integrate"],
     "src/contact": ["blade", "integrate"],
-    "src/rotor": ["contact/pose.hpp", "settings/effects", "integrate"],
+    "src/rotor": ["contact/pose.hpp", "contact/tip.hpp", "settings/effects", "integrate"],
     "src/collocation": ["blade", "contact", "rotor", "integrate"],
     "src/variation": ["settings", "blade", "contact", "rotor", "integrate", "trajectory"],
     "src/observables": ["settings", "integrate", "trajectory", "variation"],

@@ -52,10 +52,11 @@ TEST(InclinedBladeInLanes, IsTheElasticaWithItsSlopes) {
 TEST(FunctionsInLanes, ErrByLessThanTwoFemto) {
   for (const double x : {0.0, 1e-300, 1e-9, 0.01, 0.3, 1.0, 3.0, 10.0, 19.0, 39.0, 41.0, 1e5}) {
     const double decay = -std::expm1(-x);
-    EXPECT_NEAR(stored(decayed(Number(x)))[0], decay, 2e-15 * decay) << x;
+    EXPECT_NEAR(stored(contact::decayed(Number(x)))[0], decay, 2e-15 * decay) << x;
     for (const double sign : {-1.0, 1.0}) {
       const double exact = std::tanh(sign * x);
-      EXPECT_NEAR(stored(hyperbolic_tangent(Number(sign * x)))[0], exact, 2e-15 * std::abs(exact)) << x;
+      EXPECT_NEAR(stored(contact::hyperbolic_tangent(Number(sign * x)))[0], exact, 2e-15 * std::abs(exact))
+          << x;
     }
   }
 }

@@ -223,7 +223,7 @@ TEST(DirectedElastica, RootFromANeighbourIsTheRootFromScratch) {
       const auto other = law.constraint(at, slip, 0.5, *near);
       ASSERT_NEAR(other.blade.load.value, one.blade.load.value, 1e-11 * one.blade.load.value)
           << friction << ", " << i;
-      ASSERT_NEAR(other.tangential, one.tangential, 1e-13) << friction << ", " << i;
+      ASSERT_NEAR(other.tip.across, one.tip.across, 1e-13) << friction << ", " << i;
       ++compared;
     }
   }

@@ -261,7 +261,7 @@ TEST(StickingElastica, HeldBladeNeedsTheFrictionUnderWhichASlidingOneStandsThere
     const Met sliding = meet(law, at, 1.0, speed);
     ASSERT_TRUE(sliding.found);
     const auto there = law.constraint(at, 1.0, speed, {sliding.bending, sliding.amplitude});
-    const double place = std::atan2(there.tangential, there.radial);
+    const double place = std::atan2(there.tip.across, there.tip.along);
     // Velocities under which that tip is at rest on the ring.
     at.tangential_velocity -= sliding.force.slip_velocity / std::cos(place);
     // The place is found again from v = 0 alone.
@@ -299,7 +299,7 @@ TEST(StickingElastica, FrictionOfAHeldTipGrowsAsTheShaftMovesOnUntilTheTipSlides
   const Met met = meet(law, start, 1.0, 0.5);
   ASSERT_TRUE(met.found);
   const auto there = law.constraint(start, 1.0, 0.5, {met.bending, met.amplitude});
-  const double place = std::atan2(there.tangential, there.radial);
+  const double place = std::atan2(there.tip.across, there.tip.along);
   const auto moved = [&](double by) {
     return pose(law.geometry(), {1.0, 0.0}, start.radial, start.tangential + by, 0.0, 0.0);
   };
@@ -327,7 +327,7 @@ TEST(StickingElastica, FrictionOfAHeldTipGrowsAsTheShaftMovesOnUntilTheTipSlides
   const Met sliding = meet(sliding_law, moved(by), 1.0, 0.5);
   ASSERT_TRUE(sliding.found);
   const auto slides = sliding_law.constraint(moved(by), 1.0, 0.5, {sliding.bending, sliding.amplitude});
-  EXPECT_NEAR(std::atan2(slides.tangential, slides.radial), place, 1e-10);
+  EXPECT_NEAR(std::atan2(slides.tip.across, slides.tip.along), place, 1e-10);
 }
 
 }  // namespace
