@@ -119,6 +119,8 @@ class ContactArc {
   [[nodiscard]] std::array<double, 2> place_at(double fraction) const;
   [[nodiscard]] Point point_at(double fraction) const;
   [[nodiscard]] Point at_node(std::size_t node) const { return at_node(made(), node); }
+  /// A tip in contact throughout the interval.
+  [[nodiscard]] const TipInTime& tip(int blade) const { return tip_of(made(), blade); }
   /// er of a blade there.
   [[nodiscard]] contact::BladeDirection direction_at_node(int blade, std::size_t node) const;
   /// Of a quadrature over the interval, of order 15 [in τ].

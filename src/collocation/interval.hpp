@@ -110,8 +110,8 @@ struct TipInTime : TipStart {
   AtNodes gap_measure;    ///< g/Δ [m], as h = 0 has it: it has the sign of g where the blade is bent; F/kr
                           ///< of a rigid blade; λ, and `kShareBeyond`, of a tip that skims
   AtNodes slip_velocity;  ///< v of the tip (MODEL 4.4) [m per unit τ]
-  // Of a rigid or straight blade, and of one under an inclined load.
-  AtNodes normal_force, root_strain;  ///< F [N], and bending strain at the root [-]
+  AtNodes normal_force;   ///< F [N]
+  AtNodes root_strain;    ///< bending strain at the root [-]; but for a bent blade under an axial load
   // Of a blade under an inclined load (`inclined_load.hpp`).
   AtNodes lean;        ///< l: a first guess, then the solution
   AtNodes shortening;  ///< δ/L

@@ -258,6 +258,22 @@ bool Collocated::solved_places(bool with_forces, const trajectory::VisitPlace& v
   return true;
 }
 
+bool Collocated::solved_rubs(const trajectory::VisitRub& visit) {
+  if (!is_whole() || !arc_.ends_at_last_node()) return false;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const collocation::Touch touch{blade(i), contacts_[i].slip, 0.0};
+    const collocation::TipInTime& tip = arc_.tip(touch.blade);
+    for (std::size_t node = 0; node < collocation::kNodes; ++node) {
+      contact::TipForce force{};
+      force.normal = tip.normal_force[node];
+      force.slip_velocity = tip.slip_velocity[node];
+      const double friction = touch.slip == 0.0 ? 0.0 : law_->friction_coefficient(touch, {}, force);
+      visit({i, arc_.weight_of_node(node), force.normal, friction * force.normal * force.slip_velocity});
+    }
+  }
+  return true;
+}
+
 void Collocated::path(double share, trajectory::PathPoint& point,
                       std::vector<trajectory::ContactForce>* forces) {
   if (!piece_stretch_) piece_stretch_ = {arc_.fraction_at(piece_begin_), arc_.fraction_at(piece_end_)};

@@ -72,6 +72,7 @@ class Collocated final : public Phase {
   void path(double share, trajectory::PathPoint& point,
             std::vector<trajectory::ContactForce>* forces) override;
   bool solved_places(bool with_forces, const trajectory::VisitPlace& visit) override;
+  bool solved_rubs(const trajectory::VisitRub& visit) override;
 
   /// Right-hand sides: one at each node in each sweep.
   [[nodiscard]] std::uint64_t evaluations() const override { return collocation::kNodes * arc_.sweeps(); }

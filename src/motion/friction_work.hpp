@@ -27,11 +27,8 @@ class FrictionWork final : public modes::MotionListener {
 
   void piece(trajectory::MotionPiece& piece) override {
     listener_->piece(piece);
-    places_.with_forces(piece, [&](const trajectory::Place& place) {
-      for (std::size_t contact = 0; contact < place.forces.size(); ++contact) {
-        work_[static_cast<std::size_t>(piece.blade(contact))] +=
-            std::abs(place.weight * place.forces[contact].friction_power());
-      }
+    places_.rubs(piece, [&](const trajectory::Rub& rub) {
+      work_[static_cast<std::size_t>(piece.blade(rub.contact))] += std::abs(rub.weight * rub.friction_power);
     });
   }
   void event(const modes::Event& event) override { listener_->event(event); }

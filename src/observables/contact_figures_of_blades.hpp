@@ -77,10 +77,8 @@ class ImpulseOfBlades final : public OfBlades {
     return std::make_unique<ImpulseOfBlades>(scene);
   }
   void piece(trajectory::MotionPiece& piece) override {
-    places_.with_forces(piece, [&](const trajectory::Place& place) {
-      for (std::size_t contact = 0; contact < place.forces.size(); ++contact)
-        of(piece.blade(contact)) += place.weight * place.forces[contact].normal;
-    });
+    places_.rubs(
+        piece, [&](const trajectory::Rub& rub) { of(piece.blade(rub.contact)) += rub.weight * rub.normal; });
   }
   void write(std::span<double> row) override { write_shares(row, time_unit_, revolutions()); }
 

@@ -40,10 +40,7 @@ class FrictionPower final : public Observable {
   }
   void begin(const trajectory::PointConstants& /*point*/) override { mean_.begin(); }
   void piece(trajectory::MotionPiece& piece) override {
-    places_.with_forces(piece, [this](const trajectory::Place& place) {
-      for (const trajectory::ContactForce& force : place.forces)
-        mean_.add(place.weight * force.friction_power());
-    });
+    places_.rubs(piece, [this](const trajectory::Rub& rub) { mean_.add(rub.weight * rub.friction_power); });
     mean_.time_passes(piece);
   }
   void write(std::span<double> row) override { row[0] = frequency_ * mean_.value(); }
@@ -68,10 +65,10 @@ class ViscousPower final : public Observable {
     speed_changes(point);
   }
   void speed_changes(const trajectory::PointConstants& point) override {
-    fastest_ = 2.0 * std::max({1.0, std::abs(point.speed_ratio), 2.0 * damping_ratio_});
+    pace_ = {2.0 * std::max(1.0, std::abs(point.speed_ratio)), 4.0 * damping_ratio_};
   }
   void piece(trajectory::MotionPiece& piece) override {
-    places_.states(piece, fastest_, [this](const trajectory::Place& place) {
+    places_.states(piece, pace_, [this](const trajectory::Place& place) {
       const trajectory::State& state = place.state;
       mean_.add(place.weight * (state[2] * state[2] + state[3] * state[3]));
     });
@@ -82,8 +79,8 @@ class ViscousPower final : public Observable {
  private:
   double damping_ratio_;  ///< ζ [-]
   double unit_;           ///< [W per (m per unit τ)²]
-  double fastest_ = 2.0;  ///< frequency or rate of decay of |z'|²
   trajectory::PlacesInPiece places_;
+  trajectory::PlacesInPiece::Pace pace_{};  ///< of |z'|²
   MeanOverTime mean_;
 };
 
@@ -145,8 +142,9 @@ class DriveTorque final : public Observable {
     mean_.time_passes(piece);
     if (unbalance_ == 0.0) return;
     if (!before_) before_ = piece.state(piece.begin());
-    const double fastest = std::max({2.0, 2.0 * std::abs(speed_ratio_), 2.0 * damping_ratio_});
-    places_.states(piece, fastest, [this](const trajectory::Place& place) {
+    const trajectory::PlacesInPiece::Pace pace{2.0 * std::max(1.0, std::abs(speed_ratio_)),
+                                               2.0 * damping_ratio_};
+    places_.states(piece, pace, [this](const trajectory::Place& place) {
       const std::complex<double> u = unbalance_ * std::polar(1.0, speed_ratio_ * place.time);
       mean_.add(place.weight * speed_ratio_ * along(u, place.state));
     });

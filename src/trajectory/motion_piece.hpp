@@ -96,6 +96,15 @@ struct Place {
 };
 using VisitPlace = std::function<void(const Place&)>;
 
+/// How a tip rubs at a place of a piece, which counts in sums as `Place` does.
+struct Rub {
+  std::size_t contact;
+  double weight;          ///< in τ
+  double normal;          ///< F [N]
+  double friction_power;  ///< c F v [J per unit τ]
+};
+using VisitRub = std::function<void(const Rub&)>;
+
 /// The motion between two times of one revolution. States are exact in flight, of the step's order in
 /// contact.
 class MotionPiece {
@@ -152,6 +161,8 @@ class MotionPiece {
   /// Calls `visit` for the places at which the equations of the piece have been solved, where that is how it
   /// has been computed; else false.
   virtual bool solved_places(bool /*with_forces*/, const VisitPlace& /*visit*/) { return false; }
+  /// The same for how the tips rub there, which has been found along with the motion.
+  virtual bool solved_rubs(const VisitRub& /*visit*/) { return false; }
 
  private:
   /// τ at a share of the piece's time.

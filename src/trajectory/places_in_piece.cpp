@@ -34,19 +34,38 @@ const std::array<Point, kPoints>& points() {
 
 }  // namespace
 
-void PlacesInPiece::states(MotionPiece& piece, double fastest, const VisitPlace& visit) {
+void PlacesInPiece::rubs(MotionPiece& piece, const VisitRub& visit) {
+  if (piece.solved_rubs(visit)) return;
+  with_forces(piece, [&](const Place& place) {
+    for (std::size_t i = 0; i < place.forces.size(); ++i)
+      visit({i, place.weight, place.forces[i].normal, place.forces[i].friction_power()});
+  });
+}
+
+void PlacesInPiece::states(MotionPiece& piece, const Pace& pace, const VisitPlace& visit) {
   if (piece.contact_count() > 0) {
     in_contact(piece, false, visit);
     return;
   }
-  const double length = piece.end() - piece.begin();
-  const int stretches = std::max(1, static_cast<int>(std::ceil(length * fastest / kStretch)));
-  for (int i = 0; i < stretches; ++i) {
-    for (const Point& point : points()) {
-      const double time = piece.begin() + length * (i + point.share) / stretches;
-      const State state = piece.state(time);
-      visit(Place{point.weight * length / stretches, time, state, {}});
+  const auto between = [&](double begin, double end, double fastest) {
+    const double length = end - begin;
+    const int stretches = std::max(1, static_cast<int>(std::ceil(length * fastest / kStretch)));
+    for (int i = 0; i < stretches; ++i) {
+      for (const Point& point : points()) {
+        const double time = begin + length * (i + point.share) / stretches;
+        const State state = piece.state(time);
+        visit(Place{point.weight * length / stretches, time, state, {}});
+      }
     }
+  };
+  // What decays fast is soon gone to rounding, also where it is multiplied by what does not.
+  constexpr double kGone = 80.0;
+  const double slow = piece.begin() + kGone / pace.decay;
+  if (pace.decay <= pace.frequency || slow >= piece.end()) {
+    between(piece.begin(), piece.end(), std::max(pace.frequency, pace.decay));
+  } else {
+    between(piece.begin(), slow, pace.decay);
+    between(slow, piece.end(), pace.frequency);
   }
 }
 

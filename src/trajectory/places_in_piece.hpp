@@ -11,9 +11,15 @@ class PlacesInPiece {
  public:
   /// Hands places of a piece in contact to `visit`, with the forces there.
   void with_forces(MotionPiece& piece, const VisitPlace& visit) { in_contact(piece, true, visit); }
-  /// The same without forces, of any piece. `fastest`: frequency, or rate of decay, of what is summed up in
-  /// flight.
-  void states(MotionPiece& piece, double fastest, const VisitPlace& visit);
+  /// Hands how the tips of a piece in contact rub to `visit`.
+  void rubs(MotionPiece& piece, const VisitRub& visit);
+  /// How fast what is summed up changes in flight [per unit τ].
+  struct Pace {
+    double frequency;  ///< the highest
+    double decay;      ///< the highest rate
+  };
+  /// The same without forces, of any piece.
+  void states(MotionPiece& piece, const Pace& pace, const VisitPlace& visit);
 
  private:
   void in_contact(MotionPiece& piece, bool with_forces, const VisitPlace& visit);
