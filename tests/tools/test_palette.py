@@ -90,7 +90,8 @@ class Palette(unittest.TestCase):
     def test_the_page_takes_its_classes_from_the_same_data(self):
         with tempfile.TemporaryDirectory() as folder:
             report = pathlib.Path(folder) / "report.html"
-            ended = ended_command("rubatlas-report", TINY / "atlas.h5", "-o", report, "--without-solver")
+            ended = ended_command("rubatlas-report", TINY / "atlas.h5", "-o", report, "--without-solver", "--orbits",
+                                  "0")
             self.assertEqual(ended.returncode, 0, ended.stderr)
             page = report.read_text()
         found = re.search(r'<script type="application/json" id="palette">(.*?)</script>', page, re.S)
