@@ -19,6 +19,11 @@ CLEARANCE = 0.01  # m, of the default rotor
 # What the page and the program may differ by on periodic points, in clearances: compilers and libraries differ, the
 # equations do not.
 AGREEMENT = 1e-9
+# Every effect, with others as far as they combine: each but the release moves the sections by more than that.
+TOGETHER = (("ring_body", "axial_compliance", "unequal_blades", "speed_ripple"),
+            ("wear", "speed_ramp", "load_direction"), ("stick", "unbalance", "support"),
+            ("stick_elastica", "side_load", "gravity"), ("release", "yielding_ring"), ("stribeck",),
+            ("regularised_friction",), ("contact_damping",))
 
 
 class PageComputes(ExplorerTest):
@@ -42,9 +47,11 @@ class PageComputes(ExplorerTest):
         self.assertIn("computed in this page", self.browser.text("#origin"))
         self.expect_sections(atlas)
 
-    def of_effect(self, effect):
-        """The scene of an effect, at a speed where its motion is periodic."""
-        scene = json.loads((ROOT / f"jobs/effect_{effect}.json").read_text())
+    def of_effects(self, *effects):
+        """The scene of effects that act together, at a speed where their motion is periodic."""
+        scene = {}
+        for effect in effects:
+            scene |= json.loads((ROOT / f"jobs/effect_{effect}.json").read_text())
         scene.pop("spectrum", None)
         return {**scene, "grid": {"speed_ratio": [0.15]}, "accuracy": {"tolerance": 1e-11}}
 
@@ -69,20 +76,21 @@ class PageComputes(ExplorerTest):
                               self.own(speed_ratio=0.62, unbalance=1e-6))
 
     def test_points_with_each_effect_agree_with_the_program(self):
-        for path in sorted((ROOT / "jobs").glob("effect_*.json")):
-            effect = path.stem.removeprefix("effect_")
-            with self.subTest(effect):
-                atlas = self.of_one_point(effect, self.of_effect(effect))
-                self.open("#from=initial", made(self.folder / f"{effect}.html", atlas))
+        for effects in TOGETHER:
+            with self.subTest(effects):
+                atlas = self.of_one_point(effects[0], self.of_effects(*effects))
+                self.open("#from=initial", made(self.folder / f"{effects[0]}.html", atlas))
                 self.expect_sections(atlas)
+        self.assertEqual(sorted(effect for effects in TOGETHER for effect in effects),
+                         sorted(path.stem.removeprefix("effect_") for path in (ROOT / "jobs").glob("effect_*.json")))
 
     def test_the_page_goes_on_from_what_effects_remember(self):
         for effect, undrawn in (("ring_body", "the ring at rest"), ("wear", "blades without their wear")):
             with self.subTest(effect):
-                atlas = self.of_one_point(f"{effect}_before", self.of_effect(effect))
+                atlas = self.of_one_point(f"{effect}_before", self.of_effects(effect))
                 self.open(report=made(self.folder / f"{effect}_before.html", atlas))
                 self.assertEqual(self.browser.text("#not-computed"), f"The moving rotor is drawn with {undrawn}.")
-                self.expect_sections(self.of_one_point(f"{effect}_after", self.of_effect(effect), transient=94), 1e-8)
+                self.expect_sections(self.of_one_point(f"{effect}_after", self.of_effects(effect), transient=94), 1e-8)
 
     def test_a_periodic_cell_goes_on_in_the_page_as_the_atlas_has_it(self):
         with h5py.File(TINY / "atlas.h5") as atlas, h5py.File(TINY / "maps.h5") as maps:
