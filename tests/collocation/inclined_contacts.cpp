@@ -25,6 +25,7 @@ using contact::LoadDirection;
 
 constexpr double kGap = 0.01;  ///< clearance [m]
 constexpr double kMaxShortening = 0.5;
+constexpr std::size_t kMostOfOneRotor = 10;  ///< contacts that are compared
 
 double drawn(std::mt19937_64& generator, double least, double most) {
   return least + (most - least) * static_cast<double>(generator() >> 11U) * 0x1p-53;
@@ -63,7 +64,7 @@ std::vector<LoneContact> contacts_of(const InclinedRotor& m, const rotor::State&
   for (int k = 0; k < m.blades.count(); ++k) {
     if (pose_at(m, k, 0.0, start).gap > 0.0) ++open;
   }
-  return lone_contacts(*motion, start, open);
+  return lone_contacts(*motion, start, open, kMostOfOneRotor);
 }
 
 modes::Guard end_of(const ContactArc& arc) {
@@ -102,8 +103,7 @@ InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, Mak
     const auto laws = laws_of(m.law, m.blades.count());
     collocation::InclinedLaw law(laws, m.blades.count(), kMaxShortening);
     ContactArc arc(machine, law, tolerance * kGap);
-    constexpr std::size_t kMostOfOne = 10;
-    for (std::size_t i = 0; i < std::min(contacts.size(), kMostOfOne); ++i) {
+    for (std::size_t i = 0; i < std::min(contacts.size(), kMostOfOneRotor); ++i) {
       const auto& [start, end] = contacts[i];
       const contact::Pose at = pose_at(m, start.blade, start.time, start.state);
       const auto touch = law.open({start.blade, start.slip, 0.0}, at, m.rotor.speed_ratio);

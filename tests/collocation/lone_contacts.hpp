@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "../support/hybrid_motion.hpp"
@@ -42,13 +44,14 @@ class LoneContacts final : public modes::MotionListener {
   modes::Event start_{};
 };
 
-/// Those of the first revolutions of a motion; `open`: blades that touch where it starts.
+/// Those of the first revolutions of a motion, until there are `enough`; `open`: blades that touch where it
+/// starts.
 inline std::vector<LoneContact> lone_contacts(motion::PointMotion& motion, const rotor::State& start,
-                                              int open) {
+                                              int open, std::size_t enough = SIZE_MAX) {
   constexpr int kRevolutions = 5;
   LoneContacts contacts(open);
   if (motion.start(rotor::as_array(start)) != ending::PointStatus::done) return {};
-  for (int i = 0; i < kRevolutions; ++i) {
+  for (int i = 0; i < kRevolutions && contacts.found.size() < enough; ++i) {
     if (revolve(motion, contacts) != ending::PointStatus::done) break;
     contacts.drops_open_contacts();
   }
