@@ -48,11 +48,14 @@ class ToolsAccuracy(unittest.TestCase):
             pixels = style.plt.imread(self.folder / name)[:, :, :3]
             self.assertTrue(0.01 < np.mean(np.any(pixels != 1.0, axis=2)) < 0.95, name)
 
-    def test_the_same_study_gives_the_same_bytes(self):
-        for name in ("a", "b"):
-            run(TINY / "accuracy.h5", "-o", self.folder / name)
+    def test_the_same_study_gives_the_same_bytes_and_its_table_replaces_the_one_on_the_page_and_nothing_else(self):
+        page = self.folder / "page.md"
+        page.write_text(f"before\n{accuracy.BEGIN}\nold\n{accuracy.END}\nafter\n")
+        run(TINY / "accuracy.h5", "-o", self.folder / "a")
+        ended = run(TINY / "accuracy.h5", "-o", self.folder / "b", "--page", page)
         for name in ("accuracy.png", "accuracy_map.png"):
             self.assertEqual((self.folder / "a" / name).read_bytes(), (self.folder / "b" / name).read_bytes())
+        self.assertEqual(page.read_text(), f"before\n{accuracy.BEGIN}\n{ended.stdout}{accuracy.END}\nafter\n")
 
     def test_errors_against_the_tightest_run_are_those_against_the_reference_data(self):
         study = AccuracyFile(TINY / "accuracy.h5")
@@ -112,12 +115,6 @@ class ToolsAccuracy(unittest.TestCase):
         self.assertIn("not reached", table[2])
         self.assertIn("| `hybrid` | tolerance 1e-07 | 1.0e-07 |", table[3])
         self.assertTrue(table[3].endswith("| 1 × |"))
-
-    def test_the_table_replaces_the_one_on_the_page_and_nothing_else(self):
-        page = self.folder / "page.md"
-        page.write_text(f"before\n{accuracy.BEGIN}\nold\n{accuracy.END}\nafter\n")
-        ended = run(TINY / "accuracy.h5", "-o", self.folder, "--page", page)
-        self.assertEqual(page.read_text(), f"before\n{accuracy.BEGIN}\n{ended.stdout}{accuracy.END}\nafter\n")
 
     def test_the_page_of_the_study_has_room_for_the_table(self):
         page = self.folder / "page.md"
