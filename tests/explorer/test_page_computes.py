@@ -19,7 +19,7 @@ CLEARANCE = 0.01  # m, of the default rotor
 # What the page and the program may differ by on periodic points, in clearances: compilers and libraries differ, the
 # equations do not.
 AGREEMENT = 1e-9
-# Every effect, with others as far as they combine: each but the release moves the sections by more than that.
+# Every effect, with others as far as they combine: each but release and stick moves the sections by more than that.
 TOGETHER = (("ring_body", "axial_compliance", "unequal_blades", "speed_ripple"),
             ("wear", "speed_ramp", "load_direction"), ("stick", "unbalance", "support"),
             ("stick_elastica", "side_load", "gravity"), ("release", "yielding_ring"), ("stribeck",),
