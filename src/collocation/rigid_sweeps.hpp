@@ -193,33 +193,29 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   }
 
   void store() {
-    Interval& in = interval_;
     if (ring_is_massless()) settle_ring();
     store_motion();
-    const Tip lead = rigid_tip_of(in, *contact_.blade, er_);
-    straight_tip(in, *contact_.blade, er_).gap.store(in.gap);
-    lead.yielding.store(in.gap_measure);
-    lead.slip_velocity.store(in.slip_velocity);
-    (lead.yielding * contact_.blade->ring_stiffness).store(in.normal_force);
-    Number(0.0).store(in.root_strain);
-    std::size_t rest = 0;  // in the order of `hold`
-    const auto store_cone = [&](const Blade& blade, double slip, const Tip& tip, TipInTime& kept) {
-      if (slip != 0.0 || rest == contact::kMostAtRest) return;
-      const double per_yielding = blade.ring_stiffness * machine_.force_unit;
-      const Number largest = tip.yielding * (contact::largest_at_rest(friction_) * per_yielding);
-      (largest * largest - pull_[rest] * pull_[rest]).store(kept.cone_left);
-      ++rest;
-    };
-    store_cone(*contact_.blade, contact_.slip, lead, in);
-    for (FurtherBlade& further : in.further) {
-      const Direction er = direction_at(er_, further.offset);
-      const Tip tip = rigid_tip_of(further, *further.blade, er);
-      straight_tip(further, *further.blade, er).gap.store(further.gap);
-      tip.yielding.store(further.square);
-      tip.yielding.store(further.gap_measure);
-      tip.slip_velocity.store(further.slip_velocity);
-      store_cone(*further.blade, further.slip, tip, further);
+    std::size_t at_rest = 0;
+    store_tip(*contact_.blade, contact_.slip, er_, at_rest, interval_);
+    for (FurtherBlade& further : interval_.further) {
+      store_tip(*further.blade, further.slip, direction_at(er_, further.offset), at_rest, further);
+      further.square = further.gap_measure;
     }
+  }
+  /// `at_rest`: tips at rest before this one, in the order of `hold`.
+  void store_tip(const Blade& blade, double slip, const Direction& er, std::size_t& at_rest,
+                 TipInTime& kept) const {
+    const Tip tip = rigid_tip_of(kept, blade, er);
+    straight_tip(kept, blade, er).gap.store(kept.gap);
+    tip.yielding.store(kept.gap_measure);
+    tip.slip_velocity.store(kept.slip_velocity);
+    (tip.yielding * blade.ring_stiffness).store(kept.normal_force);
+    Number(0.0).store(kept.root_strain);
+    if (slip != 0.0 || at_rest == contact::kMostAtRest) return;
+    const Number load = tip.yielding * (blade.ring_stiffness * machine_.force_unit);
+    const Number largest = load * contact::largest_at_rest(friction_);
+    (largest * largest - pull_[at_rest] * pull_[at_rest]).store(kept.cone_left);
+    ++at_rest;
   }
 
   using Base::accelerate;

@@ -115,6 +115,7 @@ TEST(CompliantBlades, CollocationAndStepsAgree) {
 struct Columns {
   std::ptrdiff_t snaps = 0;
   std::vector<double> differences;  ///< at the end [m]
+  double largest_of_drift = 0.0;    ///< the largest one, over that of steps of a smaller tolerance
 };
 void compare_columns(const ElasticaContact& column, int blades, double tolerance, Columns& found) {
   constexpr int kStarts = 60;
@@ -125,23 +126,27 @@ void compare_columns(const ElasticaContact& column, int blades, double tolerance
     SCOPED_TRACE(::testing::Message() << blades << " blades, start " << i);
     const double speed_ratio = 0.65 + 0.3 * share(random);
     const rotor::State start(0.0, 0.0, kFastest * share(random), kFastest * share(random));
-    const auto revolved = [&](bool collocates) {
+    const auto revolved = [&](bool collocates, double allowed) {
       const auto motion =
           hybrid_motion(machine_of(rotor_at(speed_ratio), rotor::BladeSet(blades, speed_ratio)), column,
-                        {tolerance, 0.5}, collocates);
+                        {allowed, 0.5}, collocates);
       Run<ElasticaContact> result{};
       result.status = test::start(*motion, start);
       if (result.status == ending::PointStatus::done) result.status = revolve(*motion, result.witness);
       result.state = rotor::shaft(motion->state());
       return result;
     };
-    const auto arcs = revolved(true);
-    const auto steps = revolved(false);
+    const auto arcs = revolved(true, tolerance);
+    const auto steps = revolved(false, tolerance);
     ASSERT_EQ(arcs.status, steps.status);
     ASSERT_TRUE(std::ranges::equal(arcs.witness.events, steps.witness.events, {}, &modes::Event::kind,
                                    &modes::Event::kind));
     found.snaps += std::ranges::count(arcs.witness.events, modes::Guard::snap, &modes::Event::kind);
-    found.differences.push_back(difference(arcs.state, steps.state));
+    const double apart = difference(arcs.state, steps.state);
+    found.differences.push_back(apart);
+    // In some motions errors grow a thousandfold, as steps of a smaller tolerance show.
+    const double drift = difference(revolved(false, 0.1 * tolerance).state, steps.state);
+    found.largest_of_drift = std::max(found.largest_of_drift, apart / std::max(10.0 * tolerance, drift));
   }
 }
 
@@ -157,7 +162,7 @@ TEST(CompliantBlades, ColumnsThatAreCompressedStraightBeforeTheyBuckleMoveAsInSt
   std::ranges::sort(all.differences);
   EXPECT_GT(all.snaps, 50);
   EXPECT_LT(all.differences[all.differences.size() / 2], kTolerance);
-  EXPECT_LT(all.differences.back(), 1e3 * kTolerance) << "steps at a tenth of it: 300";
+  EXPECT_LT(all.largest_of_drift, 10.0);
 }
 
 }  // namespace
