@@ -2,8 +2,8 @@
 # Installs what is missing, builds, and runs the tests:
 #
 #   ./tests/run.sh               every test but the slow ones
-#   ./tests/run.sh --both        the same in two builds, as .ci/run does: what handles text, memory and files, and every
-#                                motion on random scenes, under the address and undefined-behaviour sanitizers
+#   ./tests/run.sh --both        the same in two builds, as .ci/run does: what handles text, memory and files under the
+#                                address and undefined-behaviour sanitizers, the rest with every index checked
 #   ./tests/run.sh --full        the slow ones too, every suite below MPI in both builds, and both commands in new
 #                                systems: a million revolutions, 10 000 random scenes, all of clang-tidy, headers alone;
 #                                hours
@@ -14,11 +14,11 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# What runs under sanitizers: suites whose sources allocate, index and parse by themselves, with two builds there alone,
-# and every law and effect in motion. The others compute the same formulas with arrays of fixed size, at the price of
-# minutes of compiling: those run under sanitizers in --full.
+# What runs under sanitizers: suites whose sources allocate, index and parse by themselves, with two builds there alone.
+# What moves would take minutes more to compile for them: it does so in --full, and with two builds the standard
+# library checks its indices.
 there_alone=(settings plan atlas analysis)
-sanitized_suites=("${there_alone[@]}" assembly)
+sanitized_suites=("${there_alone[@]}")
 plain=yes
 sanitized=no
 systems=no
@@ -29,11 +29,12 @@ case "$#,${1-}" in
   1,--both)
     sanitized=yes
     left_out_plain=$(IFS=';'; echo "${there_alone[*]}")
+    export CXXFLAGS="${CXXFLAGS-} -D_GLIBCXX_ASSERTIONS"
     ;;
   1,--full)
     sanitized=yes
     leave_out='no such label'
-    sanitized_suites+=(blade contact rotor integrate observables collocation point physics hard effects)
+    sanitized_suites+=(assembly blade contact rotor integrate observables collocation point physics hard effects)
     systems=yes
     ;;
   1,--sanitize) plain=no sanitized=yes ;;
