@@ -80,10 +80,12 @@ bool ContactArc::moves_little(double late) const {
   return moved(trial().shaft) < tolerance_ && moved(trial().ring) < tolerance_;
 }
 
-/// Whether a blade that is all but unbent moves off the ring, and has left it before anything has moved.
+/// Whether a blade moves off the ring that is all but unbent and has left it before anything has moved, or
+/// that bends where the tolerance has already let its tip leave.
 bool ContactArc::lifts_off_at_once() const {
   if (law_->is_rigid() || is_straight(blade_) || machine().ring.is_massless()) return false;
-  if (!(end_.bending.argument < kNextToUnbent) || !(at_end_.start_gap > 0.0)) return false;
+  if (law_->releases_at_fold(blade_)) return false;
+  if (at_end_.start_gap > 0.0 && !(end_.bending.argument < kNextToUnbent)) return false;
   const double rate =
       contact::gap_rate(law_->geometry(blade_), pose(blade_, end_), blades_->angular_speed(end_.time));
   return rate < 0.0 && moves_little(-at_end_.start_gap / rate);
@@ -96,14 +98,15 @@ void ContactArc::end_at_once(const Ending& ending) {
   ending_.fraction = 0.0;
 }
 
-/// The blade whose tip is at the ring where an arc begins, and moves outwards.
+/// The blade whose tip is at the ring where an arc begins, or beyond it by what the tolerance lets it, and
+/// moves outwards.
 int ContactArc::touches_at_once() const {
   if (!begins_ || !law_->ends_at_ring()) return kNoBlade;
   for (const Other& other : others_) {
     const contact::Pose there = pose(other.blade, end_);
     const contact::Geometry geometry = law_->geometry(other.blade);
-    const bool at_ring = std::abs(there.gap) <= contact::gap_rounding(geometry, there);
-    if (at_ring && contact::gap_rate(geometry, there, blades_->angular_speed(end_.time)) > 0.0)
+    const bool touches = there.gap >= -contact::gap_rounding(geometry, there);
+    if (touches && contact::gap_rate(geometry, there, blades_->angular_speed(end_.time)) > 0.0)
       return other.blade;
   }
   return kNoBlade;

@@ -35,7 +35,7 @@ template <class Number>
 Number dot(const BladeVector<Number>& one, const BladeVector<Number>& other) {
   return one.along * other.along + one.across * other.across;
 }
-/// The component of one across another times the length of the other.
+/// The length of one times the component of the other across it.
 template <class Number>
 Number cross(const BladeVector<Number>& one, const BladeVector<Number>& other) {
   return one.along * other.across - one.across * other.along;

@@ -91,18 +91,14 @@ void OrbitListener::sample_contact(trajectory::MotionPiece& piece, std::size_t c
   if (!goes_on || may_jump_) add(begin, piece.normal_force(contact, begin));
   if (!(end > begin)) return;
 
-  std::optional<trajectory::MotionPiece::LargestLoad> peak;
-  if (piece.load_peaks(contact)) {
-    const auto found = piece.largest(trajectory::Load::normal_force, contact, 0.0);
-    if (found.time > begin && found.time < end) peak = found;
-  }
+  trajectory::MotionPiece::LargestLoad peak{end, 0.0};
+  if (piece.load_peaks(contact)) peak = piece.largest(trajectory::Load::normal_force, contact, 0.0);
+  double before = begin;
   for (int part = 1; part <= kParts; ++part) {
     const double time = part == kParts ? end : begin + (end - begin) * part / kParts;
-    if (peak && peak->time <= time) {
-      add(peak->time, peak->value);
-      if (std::exchange(peak, std::nullopt)->time == time) continue;
-    }
-    add(time, piece.normal_force(contact, time));
+    if (peak.time > before && peak.time < time) add(peak.time, peak.value);
+    add(time, peak.time == time && time < end ? peak.value : piece.normal_force(contact, time));
+    before = time;
   }
 }
 

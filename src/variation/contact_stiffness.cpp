@@ -153,7 +153,7 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
     load_angle = of_bend(point.load_angle);
   }
   const Vector unbent{at.radial + geometry_.reach, at.tangential};
-  const Vector place{unbent.along - bent.along, unbent.across - bent.across};
+  const Vector place = unbent - bent;
   const Number distance = sqrt(place.along * place.along + place.across * place.across);
   const Number speed(rotor_.speed_ratio);
   const Number slip_velocity =

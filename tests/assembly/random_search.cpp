@@ -87,6 +87,11 @@ TEST(RandomScenes, WhoseTipsTouchDownOffTheRingByRoundingAreFollowed) {
   expect_followed({447, 1533, 1816, 6684, 8032});
 }
 
+TEST(RandomScenes, WhoseTipsAreOffTheRingByTheToleranceAreFollowed) {
+  // A bent blade outside of the ring, or a free one in it, where an arc begins.
+  expect_followed({232, 2045, 2066, 3361, 3419, 3995, 4685, 9221});
+}
+
 TEST(RandomScenes, ThatMoveInVeryShortTimesAreFollowed) {
   // Intervals shorter than 1e-8 of the first guess.
   expect_followed({159, 1660, 1900, 4977, 9222, 9504});
