@@ -129,15 +129,16 @@ auto ElasticaContact::branches(const Pose& at, double slip) const -> Branches {
   };
   double at_knot = slope(at, slip, knots[1]);
   for (std::size_t i = 1; i < knots.size() && found.count < found.list.size(); ++i) {
-    const double at_next = i + 1 < knots.size() ? slope(at, slip, knots[i + 1]) : at_knot;
+    const blade::ElasticaCurve::Knot& following = knots[std::min(i + 1, knots.size() - 1)];
+    const double at_next = slope(at, slip, following);
     // Between two knots where h falls it may rise: near a highest value that is close to zero.
     const double drop = at_knot - std::min(at_before, at_next);
     if (at_knot < 0.0 && at_knot > at_before && at_knot >= at_next && at_knot + drop > 0.0) {
       constexpr int kBits = 24;
       std::uintmax_t iterations = 60;
-      const auto top = boost::math::tools::brent_find_minima(
-          [&](double bending) { return -rise_at(bending); }, knots[i - 1].bending, knots[i + 1].bending,
-          kBits, iterations);
+      const auto top =
+          boost::math::tools::brent_find_minima([&](double bending) { return -rise_at(bending); },
+                                                knots[i - 1].bending, following.bending, kBits, iterations);
       if (top.second < 0.0 && top.first < knots[i].bending) pass(top.first, -top.second);
       pass(knots[i].bending, at_knot);
       if (top.second < 0.0 && top.first > knots[i].bending) pass(top.first, -top.second);
