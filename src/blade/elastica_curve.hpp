@@ -37,9 +37,6 @@ struct CurvePoint {
   double deflection_slope;  ///< d(Δ/L)/du
 };
 
-/// Degree of the pieces of a tabulated curve.
-inline constexpr std::size_t kCurveDegree = 11;
-
 /// F L²/EI of the cantilever that begins to buckle: π²/4.
 inline constexpr double kEulerLoad = std::numbers::pi * std::numbers::pi / 4.0;
 

@@ -20,7 +20,6 @@ using ShaftAndRing = Eigen::Array<double, 8, 1>;
 /// x, y, x', y', τ, u, rx, ry, rx', ry'.
 using ContactState = Eigen::Array<double, 10, 1>;
 constexpr int kTime = 4;
-constexpr int kBending = 5;
 /// Of the shaft alone: x, y, x', y', τ, and κ, φ of each contact.
 constexpr int kFirstBend = 5;
 constexpr int kMostBlades = 50;

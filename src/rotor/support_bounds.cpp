@@ -184,22 +184,6 @@ double SupportBounds::amplitude_bound(double time, const State& state, double ho
   return bound;
 }
 
-LinearBound SupportBounds::turned_third(double speed_ratio) const {
-  // (d/dτ + iΩ)³ z = z''' + 3iΩ z'' − 3Ω² z' − iΩ³ z; i is a quarter turn.
-  const double square = speed_ratio * speed_ratio;
-  const Matrix2d turn = 3.0 * speed_ratio * quarter_turn();
-  const Matrix2d of_position =
-      damping_ * stiffness_ - turn * stiffness_ - square * speed_ratio * quarter_turn();
-  const Matrix2d of_velocity =
-      damping_ * damping_ - stiffness_ - turn * damping_ - 3.0 * square * Matrix2d::Identity();
-  LinearBound result{spectral_norm(beside(of_position, of_velocity)), 0.0};
-  for (const HarmonicForcing& term : terms_) {
-    const Matrix2d of_forcing = turn + term.frequency * quarter_turn() - damping_;
-    result.offset += spectral_norm(of_forcing) * std::abs(term.amplitude);
-  }
-  return result;
-}
-
 double SupportBounds::logarithmic_norm() const {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < norm_count_; ++i) least = std::min(least, norms_[i].growth);

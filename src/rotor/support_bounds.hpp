@@ -40,12 +40,10 @@ class SupportBounds {
   /// horizon gives infinity unless the motion is proven to stay bounded.
   [[nodiscard]] double amplitude_bound(double time, const State& state, double horizon) const;
 
-  /// Bounds of |z''|, |z'''|, |z''''| and |(d/dτ + iΩ)³ z| while (|z|² + |z'|²)^½ <= `bound`. The last is
-  /// what a blade sees that turns at Ω; `turned_third(Ω)` is worked out once, and then applied.
+  /// Bounds of |z''|, |z'''| and |z''''| while (|z|² + |z'|²)^½ <= `bound`.
   [[nodiscard]] double second_bound(double bound) const { return second_(bound); }
   [[nodiscard]] double third_bound(double bound) const { return third_(bound); }
   [[nodiscard]] double fourth_bound(double bound) const { return fourth_(bound); }
-  [[nodiscard]] LinearBound turned_third(double speed_ratio) const;
 
   /// Bound of |f| [m per unit τ²]: the sum of the amplitudes.
   [[nodiscard]] double forcing_bound() const { return forcing_; }

@@ -28,8 +28,7 @@ constexpr Range between(double low, double high) {
 
 // Upper bounds without a physical reason are there to catch a slip of units before it costs a night of
 // computing.
-constexpr double kLongestLength = 1e3;      ///< [m]
-constexpr double kHeaviestMass = 1e9;       ///< [kg]
-constexpr double kHighestStiffness = 1e15;  ///< [N/m], [Pa]
+constexpr double kLongestLength = 1e3;  ///< [m]
+constexpr double kHeaviestMass = 1e9;   ///< [kg]
 
 }  // namespace rubatlas::settings

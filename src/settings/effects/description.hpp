@@ -37,7 +37,6 @@ struct Memory {
 /// One quantity of an effect; its kind follows from the member's type.
 template <auto Member>
 struct Field {
-  static constexpr auto kMember = Member;
   std::string_view pointer;  ///< where it stands in the scene file
   std::string_view symbol;
   std::string_view unit;
