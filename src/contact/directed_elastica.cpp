@@ -316,12 +316,9 @@ auto DirectedElastica::solve_near(const Pose& at, double slip, double angular_sp
 }
 
 TipForce DirectedElastica::force_of(const Pose& at, double angular_speed, const Constraint& there) const {
-  const double distance = magnitude(there.tip);
-  const double velocity =
-      slip_velocity(there.tip, tip_rate(at, angular_speed), angular_speed, 1.0 / distance, distance);
   const double c = there.coefficient;
-  TipForce force = tip_force(there.tip, distance, velocity,
-                             load_unit_ * there.blade.load.value / std::sqrt(1.0 + c * c), c);
+  TipForce force = bent_tip_force(there.tip, tip_rate(at, angular_speed), angular_speed,
+                                  load_unit_ * there.blade.load.value / std::sqrt(1.0 + c * c), c);
   force.shortening = there.blade.shortening.value;
   force.root_strain = strain_unit_ * std::abs(there.blade.curvature);
   return force;

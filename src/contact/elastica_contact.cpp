@@ -14,10 +14,8 @@ Constraint ElasticaContact::constraint_at(const Pose& at, double slip, const bla
                                           double angular_speed) const {
   const BladeVector<double> there = tip(at, slip, point);
   const BladeVector<double> rate = tip_rate(at, angular_speed);
-  const double distance = magnitude(there);
-  const double velocity = slip_velocity(there, rate, angular_speed, 1.0 / distance, distance);
   TipForce force =
-      tip_force(there, distance, velocity, blade_.load_unit * point.load, slip * blade_.friction);
+      bent_tip_force(there, rate, angular_speed, blade_.load_unit * point.load, slip * blade_.friction);
   force.shortening = point.shortening;
   // (h/2) θ'(0) with EI θ'(0) = F Δ + μF (L − δ)
   force.root_strain =

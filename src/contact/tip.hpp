@@ -126,12 +126,19 @@ inline std::complex<double> on_rotor(const TipForce& force, const BladeDirection
           force.radial * er.sine + force.tangential * er.cosine};
 }
 
-/// Force of a tip that slips with v under the normal load F [N] and the friction coefficient c; of a blade
-/// that does not bend.
+/// Force of a tip that slips with v under the normal load F [N] and the friction coefficient c; without what
+/// is recorded of a blade that bends.
 inline TipForce tip_force(const BladeVector<double>& tip, double distance, double slip_velocity, double load,
                           double coefficient) {
   const BladeVector<double> push = push_direction(tip / distance, coefficient) * load;
   return {push.along, push.across, load, 0.0, 0.0, slip_velocity};
+}
+/// The same where v is that of the tip of a bent blade, which moves with `rate` if the bend stays.
+inline TipForce bent_tip_force(const BladeVector<double>& tip, const BladeVector<double>& rate,
+                               double angular_speed, double load, double coefficient) {
+  const double distance = magnitude(tip);
+  return tip_force(tip, distance, slip_velocity(tip, rate, angular_speed, 1.0 / distance, distance), load,
+                   coefficient);
 }
 
 }  // namespace rubatlas::contact
