@@ -63,7 +63,10 @@ Sections sections_of(const point::PointOutcome& outcome) {
 /// The points of a scene, run by any setting from any state.
 class Points {
  public:
-  explicit Points(const settings::Scene& scene) : scene_(scene), grid_(scene) {}
+  explicit Points(const settings::Scene& scene) : scene_(scene), grid_(scene) {
+    // What revolutions cost is compared: every setting runs them all.
+    scene_.protocol.settle = settings::Settle::never;
+  }
 
   [[nodiscard]] const plan::Grid& grid() const { return grid_; }
   [[nodiscard]] int revolutions() const {

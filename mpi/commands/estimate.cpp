@@ -95,7 +95,8 @@ CostEstimate estimate_cost(const settings::Scene& scene, double budget, const Cl
       ++result.given_up;
       break;
     }
-    point.seconds = (outcome.status == ending::PointStatus::done ? scale : 1.0) * seconds;
+    const bool runs_all = outcome.status == ending::PointStatus::done && outcome.settled == 0;
+    point.seconds = (runs_all ? scale : 1.0) * seconds;
     if (outcome.status == ending::PointStatus::left_validity) ++result.left_validity;
     if (outcome.status == ending::PointStatus::integrator_failed) ++result.integrator_failed;
     ++result.trials;

@@ -24,6 +24,7 @@
 #include "plan/grid.hpp"
 #include "plan/pieces.hpp"
 #include "settings/combinations.hpp"
+#include "settings/linearisation.hpp"
 #include "settings/methods.hpp"
 #include "settings/printable.hpp"
 #include "settings/quantity.hpp"
@@ -196,7 +197,7 @@ void describe_kernel(const settings::Scene& scene, Text& text) {
   text.line("a point ends",
             fmt::format("after {}{} + {} revolutions, or with a status: {}shaft at the ring",
                         scene.protocol.transient_revolutions,
-                        scene.protocol.stop_when_periodic ? " (fewer once the sections repeat)" : "",
+                        settings::settles(scene) ? " (fewer where it has certainly settled on a cycle)" : "",
                         scene.protocol.sampled_revolutions,
                         bending ? fmt::format("δ/L above {}, no root of the contact equation, ",
                                               scene.validity.max_shortening)

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "atlas/hdf5.hpp"
+#include "atlas/structure.hpp"
 #include "plan/grid.hpp"
 #include "plan/part.hpp"
 
@@ -60,7 +61,7 @@ class AtlasReader {
   /// The scene file's own text.
   [[nodiscard]] std::string scene() const { return file_.read_text("/scene"); }
   /// The scene with every default written out; `settings::parse_scene` reads it.
-  [[nodiscard]] std::string scene_resolved() const { return file_.read_text("/scene_resolved"); }
+  [[nodiscard]] std::string scene_resolved() const { return resolved_scene(file_); }
 
   /// The part of its scene's grid that this atlas is for; the points of other parts stay pending.
   [[nodiscard]] const plan::Part& part() const { return part_; }

@@ -56,6 +56,8 @@ Dataset create_rows(File& file, const RowDataset& rows, RowStorage storage) {
   switch (rows.type) {
     case NumberType::uint8:
       return create_numbers<std::uint8_t>(file, rows, storage);
+    case NumberType::uint16:
+      return create_numbers<std::uint16_t>(file, rows, storage);
     case NumberType::uint32:
       return create_numbers<std::uint32_t>(file, rows, storage);
     case NumberType::int32:

@@ -18,10 +18,10 @@ using Shape = std::vector<std::size_t>;
 /// Number of elements.
 std::size_t product(const Shape& shape);
 
-/// What a dataset or an attribute may hold: f8, u1, i4, u4 and i8 in h5py's words.
+/// What a dataset or an attribute may hold: f8, u1, u2, i4, u4 and i8 in h5py's words.
 template <typename T>
-concept Number = std::same_as<T, double> || std::same_as<T, std::uint8_t> || std::same_as<T, std::int32_t> ||
-    std::same_as<T, std::uint32_t> || std::same_as<T, std::int64_t>;
+concept Number = std::same_as<T, double> || std::same_as<T, std::uint8_t> || std::same_as<T, std::uint16_t> ||
+    std::same_as<T, std::int32_t> || std::same_as<T, std::uint32_t> || std::same_as<T, std::int64_t>;
 
 /// Owns one HDF5 identifier and closes it.
 class Handle {

@@ -28,6 +28,9 @@ inline NumberTypes types_of(double) {
 inline NumberTypes types_of(std::uint8_t) {
   return {H5T_NATIVE_UINT8, H5T_STD_U8LE};
 }
+inline NumberTypes types_of(std::uint16_t) {
+  return {H5T_NATIVE_UINT16, H5T_STD_U16LE};
+}
 inline NumberTypes types_of(std::int32_t) {
   return {H5T_NATIVE_INT32, H5T_STD_I32LE};
 }
@@ -63,6 +66,7 @@ void require_one_value(const Handle& space);
 #define RUBATLAS_FOR_EACH_NUMBER(INSTANTIATE) \
   INSTANTIATE(double)                         \
   INSTANTIATE(std::uint8_t)                   \
+  INSTANTIATE(std::uint16_t)                  \
   INSTANTIATE(std::int32_t)                   \
   INSTANTIATE(std::uint32_t)                  \
   INSTANTIATE(std::int64_t)

@@ -58,6 +58,7 @@ void with_rows(const Dataset& dataset, const PointBlock& block, Use use) {
   if (dataset.holds<double>()) return use(dataset.read_block<double>(start, count));
   if (dataset.holds<std::int32_t>()) return use(dataset.read_block<std::int32_t>(start, count));
   if (dataset.holds<std::uint32_t>()) return use(dataset.read_block<std::uint32_t>(start, count));
+  if (dataset.holds<std::uint16_t>()) return use(dataset.read_block<std::uint16_t>(start, count));
   use(dataset.read_block<std::uint8_t>(start, count));
 }
 

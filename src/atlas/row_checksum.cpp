@@ -43,6 +43,10 @@ Row::Row(const Schema& schema, const Origin& origin, const point::PointOutcome& 
   parts_.emplace_back(static_cast<std::uint8_t>(outcome.detail));
   parts_.emplace_back(static_cast<std::uint8_t>(origin.restarted ? 1 : 0));
   if (schema.seam) parts_.emplace_back(static_cast<std::uint8_t>(origin.seam));
+  if (schema.settled) {
+    constexpr int kMost = std::numeric_limits<std::uint16_t>::max();
+    parts_.emplace_back(static_cast<std::uint16_t>(std::min(outcome.settled, kMost)));
+  }
   parts_.emplace_back(static_cast<std::int32_t>(done ? -1 : outcome.failed_revolution));
   add(outcome.final_state);
   std::span<const double> remembered = outcome.final_memory.view();

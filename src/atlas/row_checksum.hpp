@@ -15,7 +15,7 @@
 namespace rubatlas::atlas {
 
 /// The values of a point in one dataset.
-using RowPart = std::variant<std::span<const double>, std::uint8_t, std::int32_t>;
+using RowPart = std::variant<std::span<const double>, std::uint8_t, std::uint16_t, std::int32_t>;
 
 /// The bytes of a part as the file stores them.
 std::span<const std::byte> bytes_of(const RowPart& part);

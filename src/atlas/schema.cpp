@@ -7,6 +7,7 @@
 #include <span>
 
 #include "observables/inner_axis_size.hpp"
+#include "settings/linearisation.hpp"
 
 namespace rubatlas::atlas {
 namespace {
@@ -21,6 +22,8 @@ std::uint64_t number_size(NumberType type) {
       return sizeof(std::uint32_t);
     case NumberType::uint8:
       return sizeof(std::uint8_t);
+    case NumberType::uint16:
+      return sizeof(std::uint16_t);
   }
   return 0;
 }
@@ -51,6 +54,7 @@ std::vector<const RowDataset*> Schema::row_datasets() const& {
 std::vector<const RowDataset*> Schema::summed_datasets() const& {
   std::vector<const RowDataset*> all{&status, &status_detail, &restarted};
   if (seam) all.push_back(&*seam);
+  if (settled) all.push_back(&*settled);
   all.push_back(&failed_revolution);
   all.push_back(&final_state);
   for (const auto& remembered : memories) all.push_back(&remembered);
@@ -102,6 +106,13 @@ Schema schema_of(const settings::Scene& scene) {
   if (scene.pieces) {
     schema.seam = rows_of("seam", NumberType::uint8, {}, "",
                           "what became of the point where two pieces of its line meet");
+  }
+  if (settings::settles(scene)) {
+    schema.settled =
+        rows_of("settled", NumberType::uint16, {}, "",
+                "revolutions, 65535 at most, that were run before the motion had settled on a cycle "
+                "of which one period stands for all sampled revolutions; 0: it had not, and the "
+                "whole protocol was run");
   }
   schema.failed_revolution =
       rows_of("failed_revolution", NumberType::int32, {}, "",

@@ -14,7 +14,7 @@
 
 namespace rubatlas::atlas {
 
-enum class NumberType : std::uint8_t { float64, uint8, int32, uint32 };
+enum class NumberType : std::uint8_t { float64, uint8, uint16, int32, uint32 };
 
 /// One dataset with a row per point.
 struct RowDataset {
@@ -32,7 +32,8 @@ struct Schema {
   RowDataset status;
   RowDataset status_detail;
   RowDataset restarted;
-  std::optional<RowDataset> seam;  ///< only where the scene has `pieces`
+  std::optional<RowDataset> seam;     ///< only where the scene has `pieces`
+  std::optional<RowDataset> settled;  ///< only where the scene's transients end on cycles
   RowDataset failed_revolution;
   RowDataset final_state;
   std::vector<RowDataset> memories;  ///< `/final_state_<effect>`, in the order of `observables::memories`

@@ -30,10 +30,15 @@ namespace {
 constexpr auto kDone = static_cast<std::uint8_t>(ending::PointStatus::done);
 constexpr auto kLastStatus = static_cast<std::uint8_t>(ending::PointStatus::integrator_failed);
 
+constexpr std::array<std::string_view, 4> kReadVersions{kSchemaVersion, kVersionWithoutSettled,
+                                                        kVersionOfHybrid, kVersionWithoutChecksums};
+
 const char* words_of(NumberType type) {
   switch (type) {
     case NumberType::uint8:
       return "8-bit unsigned";
+    case NumberType::uint16:
+      return "16-bit unsigned";
     case NumberType::int32:
       return "32-bit signed";
     case NumberType::uint32:
@@ -48,6 +53,8 @@ bool holds(const Dataset& dataset, NumberType type) {
   switch (type) {
     case NumberType::uint8:
       return dataset.holds<std::uint8_t>();
+    case NumberType::uint16:
+      return dataset.holds<std::uint16_t>();
     case NumberType::int32:
       return dataset.holds<std::int32_t>();
     case NumberType::uint32:
@@ -70,7 +77,7 @@ class Examination {
       throw EnvironmentError(fmt::format("{} is not an atlas of rubatlas", path_));
     }
     const std::string version = root.text("schema_version");
-    if (version != kSchemaVersion && version != kVersionOfHybrid && version != kVersionWithoutChecksums) {
+    if (std::ranges::count(kReadVersions, version) == 0) {
       throw EnvironmentError(fmt::format("{} has the layout of version {}; this program reads version {}",
                                          path_, version, kSchemaVersion));
     }
@@ -85,7 +92,7 @@ class Examination {
       if (!dataset(name).holds_texts()) refuse(fmt::format("{} is not a text", name));
     }
     try {
-      return settings::parse_scene(file_.read_text("/scene_resolved"), "/scene_resolved");
+      return settings::parse_scene(resolved_scene(file_), "/scene_resolved");
     } catch (const settings::SceneError& error) {
       refuse(fmt::format("/scene_resolved is not a scene of this version: {}", error.what()));
     }
@@ -299,6 +306,11 @@ File open_with_care(const std::filesystem::path& path) {
   if (std::filesystem::is_regular_file(path, ignored) && header_of(path) != Header::sound)
     examine_apart(path);
   return File::open_to_read(path);
+}
+
+std::string resolved_scene(const File& file) {
+  const std::string text = file.read_text("/scene_resolved");
+  return file.root().text("schema_version") == kSchemaVersion ? text : settings::with_settle(text);
 }
 
 bool lacks_checksums(const File& file) {

@@ -32,6 +32,9 @@ class WrongFile : public std::runtime_error {
 /// EnvironmentError, and WrongFile.
 File open_with_care(const std::filesystem::path& path);
 
+/// The scene with every default written out, as this version writes it.
+std::string resolved_scene(const File& file);
+
 /// True when the file has the layout without checksums.
 bool lacks_checksums(const File& file);
 

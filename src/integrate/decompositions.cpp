@@ -13,6 +13,11 @@ EigenModes eigen_modes(const Eigen::Matrix4d& matrix) {
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
+SchurForm schur_form(const Eigen::MatrixXd& matrix) {
+  const Eigen::RealSchur<Eigen::MatrixXd> schur(matrix);
+  return {schur.matrixU(), schur.matrixT()};
+}
+
 /// From those of (A − σB)⁻¹ B, which are 1/(λ − σ). Of some σ, more than there are λ, the one that is
 /// farthest from them: where either matrix has no inverse, that of A − σB loses no digits.
 Eigen::Vector4cd generalised_eigenvalues(const Eigen::Matrix4d& matrix, const Eigen::Matrix4d& other) {

@@ -12,6 +12,14 @@ struct EigenModes {
 };
 EigenModes eigen_modes(const Eigen::Matrix4d& matrix);
 
+/// `matrix` = Q T Qᵀ: Q orthogonal, T triangular but for a block of two on its diagonal for each complex
+/// pair.
+struct SchurForm {
+  Eigen::MatrixXd vectors;  ///< Q
+  Eigen::MatrixXd form;     ///< T
+};
+SchurForm schur_form(const Eigen::MatrixXd& matrix);
+
 /// λ with det(`matrix` − λ `other`) = 0; very large where `other` has no inverse.
 Eigen::Vector4cd generalised_eigenvalues(const Eigen::Matrix4d& matrix, const Eigen::Matrix4d& other);
 

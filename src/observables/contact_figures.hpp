@@ -14,49 +14,50 @@ namespace rubatlas::observables {
 /// not count.
 class TouchdownsPerRevolution final : public Observable {
  public:
-  explicit TouchdownsPerRevolution(const settings::Scene& scene)
-      : revolutions_(scene.protocol.sampled_revolutions) {}
-  static std::unique_ptr<Observable> make(const settings::Scene& scene) {
-    return std::make_unique<TouchdownsPerRevolution>(scene);
+  static std::unique_ptr<Observable> make(const settings::Scene& /*scene*/) {
+    return std::make_unique<TouchdownsPerRevolution>();
   }
-  void begin(const trajectory::PointConstants& /*point*/) override { count_ = 0; }
+  void begin(const trajectory::PointConstants& /*point*/) override { count_ = revolutions_ = 0; }
   void touch_down(int /*blade*/) override { ++count_; }
-  void write(std::span<double> row) override { row[0] = static_cast<double>(count_) / revolutions_; }
+  void revolution_ends(const trajectory::State& /*section*/) override { ++revolutions_; }
+  void write(std::span<double> row) override {
+    row[0] = static_cast<double>(count_) / static_cast<double>(revolutions_);
+  }
 
  private:
-  int revolutions_;
   long count_ = 0;
+  long revolutions_ = 0;
 };
 
 /// Share of the time with any blade in contact [-].
 class ContactFraction final : public Observable {
  public:
-  explicit ContactFraction(const settings::Scene& scene) : revolutions_(scene.protocol.sampled_revolutions) {}
-  static std::unique_ptr<Observable> make(const settings::Scene& scene) {
-    return std::make_unique<ContactFraction>(scene);
+  static std::unique_ptr<Observable> make(const settings::Scene& /*scene*/) {
+    return std::make_unique<ContactFraction>();
   }
   void begin(const trajectory::PointConstants& point) override {
-    sampled_time_ = point.period * revolutions_;
-    in_contact_ = 0.0;
+    time_before_ = in_contact_ = 0.0;
     period_ = point.period;
-    left_ = revolutions_;
+    revolutions_ = 0;
   }
   void speed_changes(const trajectory::PointConstants& point) override {
-    sampled_time_ += (point.period - period_) * left_;
+    time_before_ += period_ * revolutions_;
+    revolutions_ = 0;
     period_ = point.period;
   }
-  void revolution_ends(const trajectory::State& /*section*/) override { --left_; }
+  void revolution_ends(const trajectory::State& /*section*/) override { ++revolutions_; }
   void piece(trajectory::MotionPiece& piece) override {
     if (piece.contact_count() > 0) in_contact_ += piece.end() - piece.begin();
   }
-  void write(std::span<double> row) override { row[0] = in_contact_ / sampled_time_; }
+  void write(std::span<double> row) override {
+    row[0] = in_contact_ / (time_before_ + period_ * revolutions_);
+  }
 
  private:
-  int revolutions_;
-  double sampled_time_ = 0.0;
   double in_contact_ = 0.0;
-  double period_ = 0.0;
-  int left_ = 0;  ///< sampled revolutions that have not ended
+  double time_before_ = 0.0;  ///< τ of the revolutions at other speeds
+  double period_ = 0.0;       ///< τ of one at the present speed
+  int revolutions_ = 0;       ///< at it
 };
 
 /// Largest value of a load over all contacts.

@@ -16,10 +16,12 @@ namespace rubatlas::observables {
 /// A number of each blade.
 class OfBlades : public Observable {
  public:
-  explicit OfBlades(const settings::Scene& scene)
-      : revolutions_(scene.protocol.sampled_revolutions),
-        values_(static_cast<std::size_t>(scene.blades.count)) {}
-  void begin(const trajectory::PointConstants& /*point*/) override { std::ranges::fill(values_, 0.0); }
+  explicit OfBlades(const settings::Scene& scene) : values_(static_cast<std::size_t>(scene.blades.count)) {}
+  void begin(const trajectory::PointConstants& /*point*/) override {
+    std::ranges::fill(values_, 0.0);
+    revolutions_ = 0;
+  }
+  void revolution_ends(const trajectory::State& /*section*/) override { ++revolutions_; }
 
  protected:
   [[nodiscard]] double& of(int blade) { return values_[static_cast<std::size_t>(blade)]; }
@@ -30,7 +32,7 @@ class OfBlades : public Observable {
   }
 
  private:
-  int revolutions_;
+  int revolutions_ = 0;  ///< that have been observed
   std::vector<double> values_;
 };
 

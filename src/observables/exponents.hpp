@@ -2,9 +2,11 @@
 /// beside it.
 ///
 /// Four tangents, or eight where the ring is a body, follow the motion (`variation/tangent_flow.hpp`) and are
-/// made orthogonal again and again; the logarithms of what their lengths lose are the exponents' sums.
-/// Source: Benettin, Galgani, Giorgilli and Strelcyn, Meccanica 15 (1980); for motions with events Müller,
-/// Chaos, Solitons & Fractals 5 (1995).
+/// made orthogonal again and again; the logarithms of what their lengths lose are the exponents' sums. On a
+/// cycle they begin as the Schur vectors of its return map, each of which the period takes into the space of
+/// itself and those before it: the exponents are the logarithms of the multipliers. Source: Benettin,
+/// Galgani, Giorgilli and Strelcyn, Meccanica 15 (1980); for motions with events Müller, Chaos, Solitons &
+/// Fractals 5 (1995).
 #pragma once
 
 #include <Eigen/Core>
@@ -13,6 +15,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "integrate/decompositions.hpp"
@@ -25,7 +28,7 @@ namespace rubatlas::observables {
 class Lyapunov final : public Observable {
  public:
   explicit Lyapunov(const settings::Scene& scene)
-      : aligning_(scene.protocol.sampled_revolutions / kPartToAlign), flow_(scene) {}
+      : aligning_before_(scene.protocol.sampled_revolutions / kPartToAlign), flow_(scene) {}
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<Lyapunov>(scene);
   }
@@ -35,6 +38,13 @@ class Lyapunov final : public Observable {
     flow_.begin(point.speed_ratio);
     growth_.setZero(flow_.tangents().rows());
     growths_.clear();
+    aligning_ = aligning_before_;
+    cycle_.reset();
+  }
+  void on_cycle(const variation::Tangents& return_map) override {
+    cycle_ = integrate::schur_form(return_map);
+    flow_.set_tangents(cycle_->vectors);
+    aligning_ = 0;
   }
   void piece(trajectory::MotionPiece& piece) override {
     flow_.piece(piece, [this] { make_orthogonal(); });
@@ -83,11 +93,18 @@ class Lyapunov final : public Observable {
   [[nodiscard]] Growth exponents() const {
     if (!flow_.known()) return Growth::Constant(growth_.size(), std::numeric_limits<double>::quiet_NaN());
     Growth mean = sum(counted()) / (static_cast<double>(counted().size()) * period_);
+    // A pair of complex multipliers turns round the plane of its two directions.
+    for (Eigen::Index i = 0; cycle_ && i + 1 < mean.size(); ++i)
+      if (cycle_->form(i + 1, i) != 0.0) mean.segment<2>(i).setConstant(mean.segment<2>(i).mean());
     std::sort(mean.begin(), mean.end(), std::greater<>());
     return mean;
   }
   /// Standard error of the mean over batches of revolutions.
   void write_errors(std::span<double> row) const {
+    if (cycle_ && flow_.known()) {  // each period is like the other
+      std::ranges::fill(row, 0.0);
+      return;
+    }
     const std::span<const Growth> all = counted();
     const std::size_t batches = std::min(kBatches, all.size());
     if (!flow_.known() || batches < 2) {
@@ -115,8 +132,10 @@ class Lyapunov final : public Observable {
                            : std::numeric_limits<double>::quiet_NaN();
   }
 
-  int aligning_;  ///< revolutions
+  int aligning_before_;  ///< revolutions, where the motion is on no cycle
+  int aligning_ = 0;     ///< revolutions
   variation::TangentFlow flow_;
+  std::optional<integrate::SchurForm> cycle_;  ///< of the return map
   double period_ = 0.0;
   Growth growth_;                ///< ln of the lengths, in this revolution
   std::vector<Growth> growths_;  ///< in each revolution

@@ -52,7 +52,8 @@ class NearestMiss final : public Observable {
 };
 
 /// Smallest depth of a contact [m]: of the largest overlaps of the undeformed tip within each contact the
-/// smallest. Only contacts that begin and end within the sampled revolutions count; NaN where none does.
+/// smallest. Only contacts that begin and end within the sampled revolutions count; NaN where none does. On a
+/// cycle one that is open at its end goes on at its start.
 class LightestTouch final : public Observable {
  public:
   struct Touch {
@@ -60,42 +61,70 @@ class LightestTouch final : public Observable {
     double side;   ///< s ct where it is deepest [m]
   };
 
-  explicit LightestTouch(int blade_count) : open_(static_cast<std::size_t>(blade_count)) {}
+  explicit LightestTouch(int blade_count)
+      : open_(static_cast<std::size_t>(blade_count)), begun_before_(open_.size()) {}
   static std::unique_ptr<Observable> make(const settings::Scene& scene) {
     return std::make_unique<LightestTouch>(scene.blades.count);
   }
   void begin(const trajectory::PointConstants& /*point*/) override {
     lightest_.reset();
     std::ranges::fill(open_, std::nullopt);
+    std::ranges::fill(begun_before_, std::nullopt);
   }
-  void touch_down(int blade) override { open_[static_cast<std::size_t>(blade)] = Touch{kUnseen, 0.0}; }
+  void on_cycle(const variation::Tangents& /*return_map*/) override {
+    std::ranges::fill(open_, Open{kUnseen, true});
+  }
+  void touch_down(int blade) override { open_[static_cast<std::size_t>(blade)] = Open{kUnseen, false}; }
   void lift_off(int blade) override {
-    std::optional<Touch>& touch = open_[static_cast<std::size_t>(blade)];
-    if (touch && touch->depth > kUnseen) {
-      touch->depth = std::max(touch->depth, 0.0);  // of a tip that barely touches it may be rounded
-      if (!lightest_ || touch->depth < lightest_->depth) lightest_ = touch;
+    const auto number = static_cast<std::size_t>(blade);
+    if (std::optional<Open>& open = open_[number]) {
+      if (open->begun_before) {
+        begun_before_[number] = open->touch;
+      } else {
+        take(open->touch, lightest_);
+      }
+      open.reset();
     }
-    touch.reset();
   }
   void piece(trajectory::MotionPiece& piece) override {
     for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
-      std::optional<Touch>& touch = open_[static_cast<std::size_t>(piece.blade(contact))];
+      std::optional<Open>& open = open_[static_cast<std::size_t>(piece.blade(contact))];
       // What is deeper than the lightest contact so far need not be known better.
       const double enough = lightest_ ? lightest_->depth : std::numeric_limits<double>::infinity();
-      if (!touch || touch->depth > enough) continue;
+      if (!open || open->touch.depth > enough) continue;
       const trajectory::Tip deepest = piece.deepest(contact, enough);
-      if (deepest.overlap > touch->depth) touch = Touch{deepest.overlap, deepest.side};
+      if (deepest.overlap > open->touch.depth) open->touch = {deepest.overlap, deepest.side};
     }
   }
   void write(std::span<double> row) override {
-    row[0] = lightest_ ? lightest_->depth : std::numeric_limits<double>::quiet_NaN();
+    const auto found = lightest();
+    row[0] = found ? found->depth : std::numeric_limits<double>::quiet_NaN();
   }
-  [[nodiscard]] const std::optional<Touch>& lightest() const { return lightest_; }
+  [[nodiscard]] std::optional<Touch> lightest() const {
+    std::optional<Touch> lightest = lightest_;
+    for (std::size_t blade = 0; blade < open_.size(); ++blade) {
+      const auto& open = open_[blade];
+      const auto& rest = begun_before_[blade];
+      if (open && rest) take(rest->depth > open->touch.depth ? *rest : open->touch, lightest);
+    }
+    return lightest;
+  }
 
  private:
-  static constexpr double kUnseen = -std::numeric_limits<double>::infinity();
+  static constexpr Touch kUnseen{-std::numeric_limits<double>::infinity(), 0.0};
+  struct Open {
+    Touch touch;
+    bool begun_before;  ///< before the first revolution that is observed
+  };
 
-  std::vector<std::optional<Touch>> open_;  ///< of each blade, the contact that it is in since its touch-down
+  static void take(Touch touch, std::optional<Touch>& lightest) {
+    if (!(touch.depth > kUnseen.depth)) return;
+    touch.depth = std::max(touch.depth, 0.0);  // of a tip that barely touches it may be rounded
+    if (!lightest || touch.depth < lightest->depth) lightest = touch;
+  }
+
+  std::vector<std::optional<Open>> open_;           ///< of each blade, the contact that it is in
+  std::vector<std::optional<Touch>> begun_before_;  ///< of each blade, the contact that was open at first
   std::optional<Touch> lightest_;
 };
 
@@ -112,6 +141,7 @@ class NearestGrazing final : public Observable {
     miss_.begin(point);
     touch_.begin(point);
   }
+  void on_cycle(const variation::Tangents& return_map) override { touch_.on_cycle(return_map); }
   void speed_changes(const trajectory::PointConstants& point) override { miss_.speed_changes(point); }
   void touch_down(int blade) override { touch_.touch_down(blade); }
   void lift_off(int blade) override { touch_.lift_off(blade); }
@@ -126,7 +156,7 @@ class NearestGrazing final : public Observable {
 
   [[nodiscard]] GrazingSide side() const {
     const auto& miss = miss_.nearest();
-    const auto& touch = touch_.lightest();
+    const auto touch = touch_.lightest();
     if (!miss && !touch) return GrazingSide::none;
     const bool misses = miss && !(touch && touch->depth < miss->miss);
     const double side = misses ? miss->side : touch->side;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "observables/observable.hpp"
+#include "observables/repeated.hpp"
 #include "settings/scene.hpp"
 
 namespace rubatlas::observables {
@@ -18,7 +19,10 @@ class Poincare final : public Observable {
   void revolution_ends(const trajectory::State& section) override {
     values_.insert(values_.end(), section.begin(), section.end());
   }
-  void write(std::span<double> row) override { std::copy(values_.begin(), values_.end(), row.begin()); }
+  void write(std::span<double> row) override {
+    std::copy(values_.begin(), values_.end(), row.begin());
+    repeat(row, values_.size());
+  }
 
  private:
   std::vector<double> values_;  ///< section × component

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "observables/observable.hpp"
+#include "observables/repeated.hpp"
 #include "settings/scene.hpp"
 
 namespace rubatlas::observables {
@@ -35,7 +36,10 @@ class PoincareBladePassing final : public Observable {
     append(section);
     passing_ = 1;
   }
-  void write(std::span<double> row) override { std::copy(values_.begin(), values_.end(), row.begin()); }
+  void write(std::span<double> row) override {
+    std::copy(values_.begin(), values_.end(), row.begin());
+    repeat(row, values_.size());
+  }
 
  private:
   void append(const trajectory::State& state) { values_.insert(values_.end(), state.begin(), state.end()); }

@@ -20,6 +20,9 @@ class Recorder {
     blade_count_ = point.blade_count;
     for (auto& observable : observables_) observable->begin(point);
   }
+  void on_cycle(const variation::Tangents& return_map) {
+    for (auto& observable : observables_) observable->on_cycle(return_map);
+  }
   /// The next revolution has another Ω.
   void speed_changes(double speed_ratio) {
     const trajectory::PointConstants point{2.0 * std::numbers::pi / std::abs(speed_ratio), speed_ratio,

@@ -19,6 +19,8 @@ class SampleCursor {
   }
   void speed_changes(const trajectory::PointConstants& point) { period_ = point.period; }
   void revolution_ends() { sample_ = 0; }
+  /// Samples so far.
+  [[nodiscard]] std::size_t filled() const { return filled_; }
 
   /// The times of a piece.
   struct Stretch {
@@ -48,8 +50,8 @@ class SampleCursor {
 
   int samples_per_revolution_;
   double period_ = 0.0;
-  int sample_ = 0;          ///< next one within the revolution
-  std::size_t filled_ = 0;  ///< samples so far
+  int sample_ = 0;  ///< next one within the revolution
+  std::size_t filled_ = 0;
 };
 
 }  // namespace rubatlas::observables

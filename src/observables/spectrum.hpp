@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "observables/observable.hpp"
+#include "observables/repeated.hpp"
 #include "observables/sample_cursor.hpp"
 #include "observables/signal_spectrum.hpp"
 #include "settings/scene.hpp"
@@ -29,7 +30,10 @@ class SpectrumOfDisplacement final : public Observable {
     if (count > 0) piece.places(times, first, spectrum_.samples().subspan(before, count), {});
   }
   void revolution_ends(const trajectory::State& /*section*/) override { cursor_.revolution_ends(); }
-  void write(std::span<double> row) override { spectrum_.amplitudes(row); }
+  void write(std::span<double> row) override {
+    repeat(spectrum_.samples(), cursor_.filled());
+    spectrum_.amplitudes(row);
+  }
 
  private:
   SampleCursor cursor_;
@@ -62,6 +66,8 @@ class FullSpectrumOfDisplacement final : public Observable {
   }
   void revolution_ends(const trajectory::State& /*section*/) override { cursor_.revolution_ends(); }
   void write(std::span<double> row) override {
+    repeat(spectrum_.x(), cursor_.filled());
+    repeat(spectrum_.y(), cursor_.filled());
     spectrum_.amplitudes(row);
     if (spins_backward_) std::ranges::reverse(row);
   }

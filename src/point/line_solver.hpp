@@ -24,9 +24,12 @@ struct PointOutcome {
   ending::StatusDetail detail =
       ending::StatusDetail::none;       ///< what ended the point, where its status is not `done`
   std::int32_t failed_revolution = -1;  ///< counted from 0 through the transient; −1 when done
-  motion::SectionState final_state{};   ///< after the last revolution; NaN when not done
-  motion::Memory final_memory;          ///< memory of effects there; empty where no effect has one
-  observables::Rows rows;               ///< as `observables::descriptions(scene)`
+  /// Revolutions that were run before the motion had certainly settled on a cycle, of which one period was
+  /// computed then; 0: it had not within the transient, and the whole protocol was run.
+  int settled = 0;
+  motion::SectionState final_state{};  ///< after the last revolution; NaN when not done
+  motion::Memory final_memory;         ///< memory of effects there; empty where no effect has one
+  observables::Rows rows;              ///< as `observables::descriptions(scene)`
   motion::WorkCounts work;
 };
 

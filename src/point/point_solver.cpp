@@ -1,5 +1,6 @@
 #include "point/point_solver.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "point/orbit_listener.hpp"
 #include "point/settling.hpp"
 #include "point/solver_of_motions.hpp"
+#include "settings/linearisation.hpp"
 
 namespace rubatlas::point {
 namespace {
@@ -40,6 +42,22 @@ class Recording final : public modes::MotionListener {
 
  private:
   observables::Recorder* recorder_;
+};
+
+/// Touch-downs (blade + 1) and lift-offs −(blade + 1), and sections, since they were last taken.
+class Touches final : public modes::MotionListener {
+ public:
+  void event(const modes::Event& event) override {
+    if (event.kind == modes::Guard::touch_down) events_.push_back(event.blade + 1);
+    if (event.kind == modes::Guard::lift_off) events_.push_back(-event.blade - 1);
+  }
+  void revolution_ends(const motion::SectionState& section) override { sections_.push_back(section); }
+  [[nodiscard]] std::vector<std::int32_t> take() { return std::exchange(events_, {}); }
+  [[nodiscard]] std::vector<motion::SectionState> take_sections() { return std::exchange(sections_, {}); }
+
+ private:
+  std::vector<std::int32_t> events_;
+  std::vector<motion::SectionState> sections_;
 };
 
 /// Follows a motion for its section map.
@@ -217,7 +235,7 @@ std::unique_ptr<LineSolver> solver_of_motions(const settings::Scene& line, motio
 }
 
 PointSolver::PointSolver(const settings::Scene& line, motion::MakeMotion make)
-    : scene_(line), make_(std::move(make)), recorder_(line) {}
+    : scene_(line), make_(std::move(make)), recorder_(line), settles_(settings::settles(line)) {}
 
 /// A new motion for each point, so that a point depends on earlier points through its start only.
 std::unique_ptr<motion::PointMotion> PointSolver::motion_of(double speed_ratio,
@@ -228,80 +246,154 @@ std::unique_ptr<motion::PointMotion> PointSolver::motion_of(double speed_ratio,
 }
 
 PointOutcome PointSolver::run(double speed_ratio, const motion::PointStart& start, const modes::GoOn& go_on) {
-  const auto motion = motion_of(speed_ratio, start);
+  AfterTransient begun = transient(speed_ratio, start, go_on);
   Recording recording(recorder_);
   recorder_.begin(point_of(speed_ratio));
-  const Ending ending = integrate(*motion, start, recording, go_on);
+  int revolutions = scene_.protocol.sampled_revolutions;
+  if (begun.settled > 0) {
+    const auto period = static_cast<int>(begun.cycle.size());
+    const bool exponents = std::ranges::count(scene_.observables, "lyapunov") > 0;
+    recorder_.on_cycle(exponents ? section_map(speed_ratio, begun.cycle.front(), period).jacobian
+                                 : variation::Tangents{});
+    revolutions = std::min(revolutions, period);
+  }
+  if (begun.ending.status == ending::PointStatus::done)
+    begun.ending = sampled(*begun.motion, revolutions, recording, go_on);
   PointOutcome outcome;
-  outcome.status = ending.status;
-  outcome.detail = ending.detail;
-  outcome.failed_revolution = ending.failed_revolution;
+  outcome.status = begun.ending.status;
+  outcome.detail = begun.ending.detail;
+  outcome.failed_revolution = begun.ending.failed_revolution;
   outcome.final_state.fill(std::numeric_limits<double>::quiet_NaN());
   const bool done = outcome.status == ending::PointStatus::done;
   if (done) {
-    outcome.final_state = section_of(*motion);
-    outcome.final_memory = motion->memory();
+    outcome.settled = begun.settled;
+    outcome.final_state =
+        begun.settled == 0
+            ? section_of(*begun.motion)
+            : begun.cycle[static_cast<std::size_t>(scene_.protocol.sampled_revolutions) % begun.cycle.size()];
+    outcome.final_memory = begun.motion->memory();
   }
-  recorder_.clearance_grows(motion->clearance_growth());
+  recorder_.clearance_grows(begun.motion->clearance_growth());
   outcome.rows = recorder_.rows(done);
-  outcome.work = motion->work();
+  outcome.work = begun.work;
+  outcome.work += begun.motion->work();
   return outcome;
 }
 
 ending::PointStatus PointSolver::listen(double speed_ratio, const motion::PointStart& start,
                                         modes::MotionListener& listener) {
-  return integrate(*motion_of(speed_ratio, start), start, listener, {}).status;
+  AfterTransient begun = transient(speed_ratio, start, {});
+  return whole(begun, listener).status;
 }
 
 Orbit PointSolver::orbit(double speed_ratio, const motion::PointStart& start) {
-  const auto motion = motion_of(speed_ratio, start);
+  AfterTransient begun = transient(speed_ratio, start, {});
   OrbitListener listener(constants_of(scene_, speed_ratio).period(), scene_.protocol.samples_per_revolution,
                          scene_.blades.count);
-  const Ending ending = integrate(*motion, start, listener, {});
+  const Ending ending = whole(begun, listener);
   Orbit orbit = listener.take();
   orbit.status = ending.status;
   orbit.detail = ending.detail;
   orbit.failed_revolution = ending.failed_revolution;
-  if (orbit.status == ending::PointStatus::done) orbit.final_memory = motion->memory();
+  if (orbit.status == ending::PointStatus::done) orbit.final_memory = begun.motion->memory();
   return orbit;
 }
 
-PointSolver::Ending PointSolver::integrate(motion::PointMotion& motion, const motion::PointStart& start,
-                                           modes::MotionListener& sampling, const modes::GoOn& go_on) const {
-  modes::MotionListener transient;
-  const int first_sampled = scene_.protocol.transient_revolutions;
-  const int revolutions = first_sampled + scene_.protocol.sampled_revolutions;
+auto PointSolver::transient(double speed_ratio, const motion::PointStart& start, const modes::GoOn& go_on)
+    -> AfterTransient {
+  const int revolutions = scene_.protocol.transient_revolutions;
+  const int all = revolutions + scene_.protocol.sampled_revolutions;
+  AfterTransient result{motion_of(speed_ratio, start), {}, 0, {}, {}};
+  Touches touches;
   const double scale = constants_of(scene_, 1.0).length_scale;
-  Settling settling(Settling::kCloseness * scene_.accuracy.tolerance * scale);
-  bool watched = scene_.protocol.stop_when_periodic;
-  ending::PointStatus status = motion.start(start);
+  std::optional<Settling> settling;
+  if (settles_) {
+    settling.emplace(scene_.accuracy.tolerance * scale, scale,
+                     [&, speed_ratio](const motion::SectionState& from, int count, bool derivative) {
+                       return return_from(speed_ratio, from, count, derivative, result.work);
+                     });
+  }
+  const auto ended = [&](ending::PointStatus status, int revolution) {
+    const bool given_up = status == ending::PointStatus::pending;
+    result.ending = {status, result.motion->status_detail(), given_up ? -1 : revolution};
+    return std::move(result);
+  };
+  ending::PointStatus status = result.motion->start(start);
+  if (status != ending::PointStatus::done) return ended(status, 0);
   for (int revolution = 0; revolution < revolutions; ++revolution) {
-    const bool sampled = revolution >= first_sampled;
-    modes::MotionListener& listener = sampled ? sampling : transient;
-    if (status == ending::PointStatus::done)
-      status = motion.revolution(listener, go_on, revolution - first_sampled);
-    if (status == ending::PointStatus::pending) return {status, motion.status_detail()};
-    if (status != ending::PointStatus::done) return {status, motion.status_detail(), revolution};
-    if (sampled) sampling.revolution_ends(section_of(motion));
-    if (go_on && !go_on()) return {ending::PointStatus::pending, ending::StatusDetail::given_up};
-    if (!watched || sampled) continue;
-    settling.add(motion.state());
-    if (const int period = settling.period()) {
-      // Whole periods are left out, so that every section keeps its place in the cycle.
-      revolution += (first_sampled - 1 - revolution) / period * period;
-      watched = false;
+    status = result.motion->revolution(touches, go_on, revolution - revolutions);
+    if (status != ending::PointStatus::done) return ended(status, revolution);
+    if (go_on && !go_on()) {
+      result.ending = {ending::PointStatus::pending, ending::StatusDetail::given_up};
+      return result;
     }
+    if (!settling) continue;
+    settling->add(section_of(*result.motion), touches.take());
+    auto cycle = settling->cycle(all - revolution - 1);
+    if (!cycle) continue;
+    // Every section keeps its place in the cycle.
+    const auto left = static_cast<std::size_t>(revolutions - revolution - 1) % cycle->size();
+    std::ranges::rotate(*cycle, cycle->begin() + static_cast<std::ptrdiff_t>(left));
+    result.settled = revolution + 1;
+    result.work += result.motion->work();
+    result.motion = motion_of(speed_ratio, cycle->front());
+    status = result.motion->start(cycle->front());
+    result.cycle = std::move(*cycle);
+    break;
+  }
+  return ended(status, status == ending::PointStatus::done ? -1 : revolutions);
+}
+
+std::optional<Return> PointSolver::return_from(double speed_ratio, const motion::SectionState& from,
+                                               int revolutions, bool derivative, motion::WorkCounts& work) {
+  if (derivative) {
+    SectionMap map = mapped(speed_ratio, from, revolutions, work);
+    if (map.status != ending::PointStatus::done || !map.differentiable) return std::nullopt;
+    const double miss = map.nearest_pass ? map.nearest_pass->miss : map.lightest_touch;
+    return Return{std::move(map.sections), std::move(map.events), map.jacobian,
+                  std::min(miss, map.lightest_touch)};
+  }
+  Touches touches;
+  const auto motion = motion_of(speed_ratio, from);
+  const ending::PointStatus status = follow(*motion, motion->start(from), touches, revolutions);
+  work += motion->work();
+  if (status != ending::PointStatus::done) return std::nullopt;
+  return Return{touches.take_sections(), touches.take(), {}, 0.0};
+}
+
+PointSolver::Ending PointSolver::whole(AfterTransient& begun, modes::MotionListener& listener) const {
+  if (begun.ending.status != ending::PointStatus::done) return begun.ending;
+  return sampled(*begun.motion, scene_.protocol.sampled_revolutions, listener, {});
+}
+
+PointSolver::Ending PointSolver::sampled(motion::PointMotion& motion, int revolutions,
+                                         modes::MotionListener& listener, const modes::GoOn& go_on) const {
+  ending::PointStatus status = ending::PointStatus::done;
+  for (int revolution = 0; revolution < revolutions; ++revolution) {
+    status = motion.revolution(listener, go_on, revolution);
+    if (status == ending::PointStatus::pending) return {status, motion.status_detail()};
+    if (status != ending::PointStatus::done)
+      return {status, motion.status_detail(), scene_.protocol.transient_revolutions + revolution};
+    listener.revolution_ends(section_of(motion));
+    if (go_on && !go_on()) return {ending::PointStatus::pending, ending::StatusDetail::given_up};
   }
   return {status};
 }
 
 SectionMap PointSolver::section_map(double speed_ratio, const motion::PointStart& start, int revolutions) {
+  motion::WorkCounts work;
+  return mapped(speed_ratio, start, revolutions, work);
+}
+
+SectionMap PointSolver::mapped(double speed_ratio, const motion::PointStart& start, int revolutions,
+                               motion::WorkCounts& work) {
   const auto motion = motion_of(speed_ratio, start);
   Mapping mapping(tangents_at(speed_ratio), point_of(speed_ratio));
   const ending::PointStatus status = follow(*motion, motion->start(start), mapping, revolutions);
   SectionMap map = mapping.map();
   map.status = status;
   if (status != ending::PointStatus::done) map.detail = motion->status_detail();
+  work += motion->work();
   return map;
 }
 

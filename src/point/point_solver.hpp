@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "modes/motion_listener.hpp"
 #include "motion/point_motion.hpp"
 #include "observables/recorder.hpp"
 #include "point/line_solver.hpp"
+#include "point/settling.hpp"
 #include "settings/scene.hpp"
 #include "variation/tangent_flow.hpp"
 
@@ -34,6 +36,14 @@ class PointSolver final : public LineSolver {
     ending::StatusDetail detail = ending::StatusDetail::none;
     std::int32_t failed_revolution = -1;
   };
+  /// A point's motion behind its transient.
+  struct AfterTransient {
+    std::unique_ptr<motion::PointMotion> motion;  ///< about to begin the first sampled revolution
+    Ending ending;
+    int settled = 0;  ///< revolutions that were run before it had settled; 0: it has not
+    std::vector<motion::SectionState> cycle;  ///< on which it has, from the first sampled revolution on
+    motion::WorkCounts work;                  ///< of what is not `motion`
+  };
 
   /// The linearised flow, at the start of a motion.
   variation::TangentFlow& tangents_at(double speed_ratio);
@@ -43,12 +53,22 @@ class PointSolver final : public LineSolver {
                                     modes::MotionListener& listener, int revolutions);
   [[nodiscard]] std::unique_ptr<motion::PointMotion> motion_of(double speed_ratio,
                                                                const motion::PointStart& start) const;
-  Ending integrate(motion::PointMotion& motion, const motion::PointStart& start,
-                   modes::MotionListener& sampling, const modes::GoOn& go_on) const;
+  /// As `section_map`; adds its work.
+  SectionMap mapped(double speed_ratio, const motion::PointStart& start, int revolutions,
+                    motion::WorkCounts& work);
+  std::optional<Return> return_from(double speed_ratio, const motion::SectionState& from, int revolutions,
+                                    bool derivative, motion::WorkCounts& work);
+  AfterTransient transient(double speed_ratio, const motion::PointStart& start, const modes::GoOn& go_on);
+  /// So many sampled revolutions.
+  Ending sampled(motion::PointMotion& motion, int revolutions, modes::MotionListener& listener,
+                 const modes::GoOn& go_on) const;
+  /// Those of the whole protocol.
+  Ending whole(AfterTransient& begun, modes::MotionListener& listener) const;
 
   settings::Scene scene_;
   motion::MakeMotion make_;
   observables::Recorder recorder_;
+  bool settles_;                                        ///< transients end on the cycles that they approach
   std::optional<variation::TangentFlow> tangent_flow_;  ///< made where it is asked for
 };
 

@@ -1,55 +1,90 @@
-/// When a transient has come to its end: the motion repeats from revolution to revolution.
+/// When a transient has settled: it approaches a cycle so that no doubt is left that it ends there.
 ///
-/// Sections approach a stable cycle geometrically. So sections that repeat over several periods, far more
-/// closely than later comparisons resolve, have reached the cycle. A chaotic motion returns close to earlier
-/// sections too, but not three times in succession at every section within a tenth of the local error of a
-/// step.
+/// Newton's method on the section map finds the cycle ahead of the motion. That the motion ends on it follows
+/// from what it has done, in coordinates w in which the map's derivative J at the cycle is diagonal: there J
+/// takes off every difference from the cycle at least the share 1 − ρ, ρ the largest modulus of a multiplier,
+/// and what the map differs from J by grows with the square of the difference. Where it is less than half of
+/// what J takes off, all later differences are smaller, and what it differs by is an ever smaller share of
+/// them. A saddle or another cycle that the motion might still go to lies beyond: half way to a saddle the
+/// two are equal. Source: Seydel, Practical Bifurcation and Stability Analysis, chapter 7 (shooting,
+/// multipliers).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
 
-#include "rotor/bodies.hpp"
+#include "motion/point_start.hpp"
+#include "variation/tangents.hpp"
 
 namespace rubatlas::point {
 
+/// What comes of a section in some revolutions.
+struct Return {
+  std::vector<motion::SectionState> sections;  ///< after each revolution
+  /// Touch-downs (blade + 1) and lift-offs −(blade + 1), in order of time.
+  std::vector<std::int32_t> events;
+  // Where the derivative is asked for:
+  variation::Tangents jacobian;  ///< of the last section by the start
+  double nearest_grazing = 0.0;  ///< least depth of a touch, or distance by which a tip passes the ring [m]
+};
+/// Nothing where the motion ends before, or has no derivative where that is asked for.
+using ReturnFrom =
+    std::function<std::optional<Return>(const motion::SectionState& start, int revolutions, bool derivative)>;
+
 class Settling {
  public:
-  using Section = rotor::ShaftAndRing;               ///< the state of shaft and ring
   static constexpr std::size_t kLongestPeriod = 16;  ///< in revolutions, as the classes of `analyse`
-  static constexpr std::size_t kRepeats = 3;         ///< periods in succession that repeat the one before
-  static constexpr double kCloseness = 0.1;          ///< of accuracy.tolerance × δc
 
-  /// `distance` bounds the difference of any component of two sections that are the same [m].
-  explicit Settling(double distance) : distance_(distance) {}
+  /// `error`: of a section, by which two that are the same may differ [m]; `scale` [m]: of the motion.
+  Settling(double error, double scale, ReturnFrom return_from)
+      : error_(error), scale_(scale), return_from_(std::move(return_from)) {}
 
-  /// The section at the end of a revolution.
-  void add(const Section& section) { sections_[count_++ % kKept] = section; }
-
-  /// Smallest period in which the last sections repeat, 0 where they do not.
-  [[nodiscard]] int period() const {
-    for (std::size_t period = 1; period <= kLongestPeriod; ++period) {
-      if (count_ < (kRepeats + 1) * period) break;
-      if (repeats(period)) return static_cast<int>(period);
-    }
-    return 0;
-  }
+  /// The revolution that has just been run.
+  void add(const motion::SectionState& section, std::vector<std::int32_t> events);
+  /// The sections of the cycle on which the motion ends, in order; the last section that was added is about
+  /// to be the first of them. Nothing where that is not certain, or not worth the work before `left`
+  /// revolutions.
+  [[nodiscard]] std::optional<std::vector<motion::SectionState>> cycle(int left);
 
  private:
-  static constexpr std::size_t kKept = (kRepeats + 1) * kLongestPeriod;
+  using Cycle = std::vector<motion::SectionState>;
+  static constexpr std::size_t kKept = 256;
+  struct Revolution {
+    motion::SectionState section;  ///< at its end
+    std::vector<std::int32_t> events;
+  };
+  /// A stable cycle that the motion may be approaching.
+  struct Candidate {
+    Cycle sections;
+    variation::Tangents jacobian;
+    double nearest_grazing;  ///< [m]
+    std::size_t found;       ///< the last revolution then, which ended near the first of its sections
+  };
 
-  [[nodiscard]] bool repeats(std::size_t period) const {
-    for (std::size_t i = 1; i <= kRepeats * period; ++i) {
-      const Section& section = sections_[(count_ - i) % kKept];
-      const Section& earlier = sections_[(count_ - i - period) % kKept];
-      if (!((section - earlier).abs().maxCoeff() <= distance_)) return false;
-    }
-    return true;
+  /// So many revolutions ago.
+  [[nodiscard]] const Revolution& back(std::size_t revolutions) const {
+    return revolutions_[(count_ - 1 - revolutions) % kKept];
   }
+  [[nodiscard]] std::size_t known() const { return std::min(count_, kKept); }
+  [[nodiscard]] bool same_events(std::size_t period, std::size_t revolutions) const;
+  [[nodiscard]] std::size_t period() const;
+  [[nodiscard]] std::optional<Candidate> candidate(std::size_t period) const;
+  [[nodiscard]] bool approaches(const Candidate& candidate) const;
 
-  double distance_;
-  std::array<Section, kKept> sections_{};
+  double error_;
+  double scale_;
+  ReturnFrom return_from_;
+  std::array<Revolution, kKept> revolutions_{};
   std::size_t count_ = 0;
+  std::optional<Candidate> candidate_;
+  std::size_t next_search_ = 0;
+  int searches_ = 0;
 };
 
 }  // namespace rubatlas::point

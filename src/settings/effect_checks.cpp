@@ -87,8 +87,6 @@ void check_wear(const Scene& scene) {
   if (kept && !scene.wear)
     fail("/observables", R"("clearance_growth" is that of blades that wear; there is no section /wear)");
   if (!scene.wear) return;
-  if (scene.protocol.stop_when_periodic)
-    fail("/wear", "/protocol/stop_when_periodic leaves out revolutions, in which blades wear too");
   if (scene.wear->carries_over && scene.sweep == Sweep::independent)
     fail("/wear/carries_over", R"(the sweep is "independent"; no point comes after another)");
 }

@@ -36,9 +36,12 @@ std::vector<std::string_view> known_keys(std::string_view section) {
   return keys;
 }
 
-/// The key that may have been meant: the same key in another section, else the key whose symbol this is, else
-/// the key of the section with the nearest spelling.
+/// The key that may have been meant: what has replaced it, else the same key in another section, else the key
+/// whose symbol this is, else the key of the section with the nearest spelling.
 std::string what_was_meant(std::string_view section, std::string_view key) {
+  if (section == "/protocol" && key == "stop_when_periodic")
+    return "replaced by /protocol/settle, by whose \"newton\", the default, transients of periodic motions "
+           "end";
   for (const auto& entry : quantities()) {
     if (entry.key() == key) return fmt::format("nearest known key: {}", entry.pointer);
   }

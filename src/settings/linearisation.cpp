@@ -49,4 +49,8 @@ std::optional<std::string> refusal_of_shooting(const Scene& scene) {
   return refusal_of_linearisation(scene);
 }
 
+bool settles(const Scene& scene) {
+  return scene.protocol.settle == Settle::newton && !refusal_of_shooting(scene);
+}
+
 }  // namespace rubatlas::settings

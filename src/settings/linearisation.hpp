@@ -13,5 +13,7 @@ namespace rubatlas::settings {
 std::optional<std::string> refusal_of_linearisation(const Scene& scene);
 /// The same for periodic orbits by shooting.
 std::optional<std::string> refusal_of_shooting(const Scene& scene);
+/// Transients of the scene end on the cycles that they approach (`protocol.settle`).
+bool settles(const Scene& scene);
 
 }  // namespace rubatlas::settings

@@ -21,6 +21,7 @@ inline constexpr std::array<std::string_view, 4> kSweeps{"up", "down", "both", "
 
 inline constexpr std::array<std::string_view, 7> kMethods{"hybrid", "collocation", "hybrid_54", "hybrid_32",
                                                           "paper",  "located",     "fixed"};
+inline constexpr std::array<std::string_view, 2> kSettles{"newton", "never"};
 
 constexpr std::span<const std::string_view> words(ContactLaw /*unused*/) {
   return kContactLaws;
@@ -30,6 +31,9 @@ constexpr std::span<const std::string_view> words(Sweep /*unused*/) {
 }
 constexpr std::span<const std::string_view> words(Method /*unused*/) {
   return kMethods;
+}
+constexpr std::span<const std::string_view> words(Settle /*unused*/) {
+  return kSettles;
 }
 
 template <typename T>

@@ -115,6 +115,14 @@ std::string motion_json(const Scene& scene) {
   return text_of(document);
 }
 
+std::string with_settle(std::string_view resolved) {
+  json document = parse_document(resolved, "scene");
+  json& protocol = document["protocol"];
+  protocol.erase("stop_when_periodic");
+  protocol["settle"] = "never";
+  return text_of(document);
+}
+
 std::string difference(std::string_view resolved_a, std::string_view resolved_b) {
   return first_difference(parse_document(resolved_a, "first"), parse_document(resolved_b, "second"), "");
 }

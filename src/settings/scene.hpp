@@ -83,11 +83,15 @@ struct Initial {
   double vy = 0.0;  ///< dy/dτ [m]
 };
 
+/// How a transient ends that approaches a cycle: `newton`, on the cycle that Newton's method finds ahead of
+/// it, as soon as that is certainly where it ends; `never`, after all its revolutions.
+enum class Settle : std::uint8_t { newton, never };
+
 struct Protocol {
   int transient_revolutions = 200;   ///< run before anything is kept; 0 is legal
   int sampled_revolutions = 100;     ///< S, at least 1
   int samples_per_revolution = 256;  ///< of the spectrum and of `orbit`
-  bool stop_when_periodic = false;   ///< leave out transient revolutions of a motion that repeats
+  Settle settle = Settle::newton;
 };
 
 struct Spectrum {

@@ -219,7 +219,7 @@ TEST_F(Atlas, OfBothDirectionsTheOneAskedForIsFound) {
 TEST_F(Atlas, ItsSizeIsKnownBeforehand) {
   const Schema schema = schema_of(scene_);
   const std::uint64_t spectrum = 12 * 3 + 1;
-  EXPECT_EQ(schema.bytes_per_point(), 1 + 1 + 1 + 4 + 4 + 8 * (4 + 3 * 4 + 9 * 4 + 1 + spectrum));
+  EXPECT_EQ(schema.bytes_per_point(), 1 + 1 + 1 + 2 + 4 + 4 + 8 * (4 + 3 * 4 + 9 * 4 + 1 + spectrum));
   EXPECT_EQ(schema.byte_count(), 10 * schema.bytes_per_point());
 }
 
@@ -308,16 +308,18 @@ TEST_F(FullAtlas, TheChecksumIsTheOneOfZlibOverTheRowsBytes) {
     }
   };
   add(std::array<std::uint8_t, 3>{1, 0, 0});  // done, nothing in detail, not restarted
+  add(std::array<std::uint16_t, 1>{0});       // the whole protocol was run
   add(std::array<std::int32_t, 1>{-1});
   add(atlas.row("final_state", 6));
   for (const char* name : {"poincare", "poincare_blade_passing", "max_displacement", "spectrum"}) {
     add(atlas.row(name, 6));
   }
   EXPECT_EQ(atlas.file().dataset("row_checksum").read<std::uint32_t>()[6], ~sum);
-  EXPECT_EQ(atlas.file().dataset("row_checksum").text("order"),
-            "status status_detail restarted failed_revolution final_state poincare poincare_blade_passing "
-            "max_displacement "
-            "spectrum");
+  EXPECT_EQ(
+      atlas.file().dataset("row_checksum").text("order"),
+      "status status_detail restarted settled failed_revolution final_state poincare poincare_blade_passing "
+      "max_displacement "
+      "spectrum");
 }
 
 TEST_F(Atlas, IsSoundWhileItIsWrittenAndWhenARunWasKilled) {

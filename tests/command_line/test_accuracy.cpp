@@ -13,9 +13,10 @@
 namespace rubatlas::mpi {
 namespace {
 
-/// Two periodic speeds and a chaotic one.
+/// Two periodic speeds and a chaotic one. Whatever the scene says the study runs all revolutions, as `never`
+/// does.
 const std::string kScene = R"({"title": "three speeds", "grid": {"speed_ratio": [0.3, 0.4, 0.75]},
-  "protocol": {"transient_revolutions": 40, "sampled_revolutions": 40}, "sweep": ")";
+  "protocol": {"transient_revolutions": 40, "sampled_revolutions": 40, "settle": "never"}, "sweep": ")";
 constexpr std::size_t kPoints = 3;
 constexpr double kRevolutions = 80.0;
 

@@ -203,10 +203,6 @@ TEST(Wear, SaysWhatItDoesNotGoWith) {
   EXPECT_EQ(refusal(content),
             R"(/wear/carries_over: the sweep is "independent"; no point comes after another)");
   content = worn(1e-4, 0.62, 2);
-  content["protocol"]["stop_when_periodic"] = true;
-  EXPECT_EQ(refusal(content),
-            "/wear: /protocol/stop_when_periodic leaves out revolutions, in which blades wear too");
-  content = worn(1e-4, 0.62, 2);
   content.erase("wear");
   EXPECT_EQ(refusal(content),
             "/observables: \"clearance_growth\" is that of blades that wear; there is no section /wear");

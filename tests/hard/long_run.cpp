@@ -62,6 +62,7 @@ void rub(int revolutions) {
     settings::Scene scene = default_rotor(100);
     scene.contact.law = law;
     scene.protocol.transient_revolutions = 1000;
+    scene.protocol.settle = settings::Settle::never;
     const double speed = 0.4;
     const auto early = run(scene, speed);
     ASSERT_EQ(early.status, PointStatus::done);

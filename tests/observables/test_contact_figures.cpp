@@ -20,32 +20,30 @@ double value_of(Observable& observable) {
   return row[0];
 }
 
-settings::Scene scene_of(int revolutions) {
-  settings::Scene scene;
-  scene.protocol.sampled_revolutions = revolutions;
-  return scene;
-}
-
 TEST(TouchdownsPerRevolution, CountsTouchDownsOverTheSampledRevolutions) {
-  TouchdownsPerRevolution touchdowns(scene_of(4));
-  touchdowns.begin(point_at(0.5, 3));
-  for (int i = 0; i < 6; ++i) touchdowns.touch_down(i % 3);
-  EXPECT_EQ(value_of(touchdowns), 1.5);
-  touchdowns.begin(point_at(0.5, 3));
-  EXPECT_EQ(value_of(touchdowns), 0.0);
+  TouchdownsPerRevolution touchdowns;
+  const auto value_after = [&](int touches) {
+    touchdowns.begin(point_at(0.5, 3));
+    for (int i = 0; i < touches; ++i) touchdowns.touch_down(i % 3);
+    for (int r = 0; r < 4; ++r) touchdowns.revolution_ends({});
+    return value_of(touchdowns);
+  };
+  EXPECT_EQ(value_after(6), 1.5);
+  EXPECT_EQ(value_after(0), 0.0);
 }
 
 TEST(TouchdownsPerRevolution, DoNotCountAContactThatIsOpenAtTheStart) {
-  TouchdownsPerRevolution touchdowns(scene_of(1));
+  TouchdownsPerRevolution touchdowns;
   touchdowns.begin(point_at(0.5, 3));
   SyntheticPiece open(0.0, 1.0, at_rest, {{0, [](double) { return 1.0; }, [](double) { return 0.0; }}});
   touchdowns.piece(open);
+  touchdowns.revolution_ends({});
   EXPECT_EQ(value_of(touchdowns), 0.0);
 }
 
 TEST(ContactFraction, IsTheShareOfTimeWithAnyBladeInContact) {
   const trajectory::PointConstants point = point_at(0.5, 3);
-  ContactFraction fraction(scene_of(2));
+  ContactFraction fraction;
   const SyntheticContact contact{1, [](double) { return 1.0; }, [](double) { return 0.0; }};
   fraction.begin(point);
   for (int r = 0; r < 2; ++r) {
@@ -54,6 +52,7 @@ TEST(ContactFraction, IsTheShareOfTimeWithAnyBladeInContact) {
     SyntheticPiece two(0.7 * point.period, 0.75 * point.period, at_rest, {contact, contact});
     SyntheticPiece again(0.75 * point.period, point.period, at_rest);
     for (SyntheticPiece* piece : {&flight, &one, &two, &again}) fraction.piece(*piece);
+    fraction.revolution_ends({});
   }
   EXPECT_NEAR(value_of(fraction), 0.25, 1e-15);
 }
@@ -120,7 +119,7 @@ TEST(MaxRootStrain, LooksAtTheStrainNotAtTheForce) {
 }
 
 TEST(MaxRootStress, IsTheStrainTimesTheModulus) {
-  settings::Scene scene = scene_of(1);
+  settings::Scene scene;
   scene.blades.youngs_modulus = 70e9;
   MaxRootStress peak(scene);
   peak.begin(point_at(0.5, 3));

@@ -109,7 +109,8 @@ TEST(LineSolver, LimitOfVanishingFrictionIsTheFrictionlessRotor) {
 }
 
 TEST(LineSolver, TheOrbitPassesThroughThePoincareSections) {
-  const settings::Scene scene = default_scene();
+  settings::Scene scene = default_scene();
+  scene.protocol.settle = settings::Settle::never;
   const auto solver = solver_of(scene);
   const auto outcome = solver->run(0.62, kRest);
   const auto orbit = solver->orbit(0.62, kRest);
@@ -197,7 +198,8 @@ TEST(LineSolver, TheLastBladePassingOfARevolutionIsItsSection) {
 }
 
 TEST(LineSolver, AsksAfterEachRevolutionWhetherToGoOn) {
-  const settings::Scene scene = default_scene();
+  settings::Scene scene = default_scene();
+  scene.protocol.settle = settings::Settle::never;
   const auto solver = solver_of(scene);
   int calls = 0;
   const auto whole = solver->run(0.4, kRest, [&] { return ++calls > 0; });

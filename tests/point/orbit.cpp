@@ -39,7 +39,7 @@ std::map<int, Contact> contacts_of(const point::Orbit& orbit) {
 settings::Scene five_revolutions() {
   settings::Scene scene;
   scene.observables = {"max_contact_force", "touchdowns_per_revolution", "contact_fraction"};
-  scene.protocol = {200, 5, 256};
+  scene.protocol = {200, 5, 256, settings::Settle::never};
   return scene;
 }
 

@@ -283,10 +283,17 @@ TEST(SceneErrors, BladesMustFitIntoTheRing) {
   EXPECT_EQ(refusal_with(R"("ring": {"radius": 0.1})"), "accepted");
 }
 
+TEST(SceneErrors, AKeyThatHasBeenReplacedNamesWhatReplacesIt) {
+  const std::string refusal = refusal_with(R"("protocol": {"stop_when_periodic": true})");
+  EXPECT_TRUE(refusal.starts_with("/protocol/stop_when_periodic: unknown key, with the value true"))
+      << refusal;
+  EXPECT_TRUE(
+      refusal.ends_with("replaced by /protocol/settle, by whose \"newton\", the default, "
+                        "transients of periodic motions end"))
+      << refusal;
+}
+
 TEST(SceneErrors, TheSpectrumEndsAtHalfTheSamples) {
-  EXPECT_EQ(refusal_with(R"("protocol": {"stop_when_periodic": 1})"),
-            "/protocol/stop_when_periodic: 1 is not true or false; leave out transient revolutions once the "
-            "sections repeat");
   EXPECT_EQ(refusal_with(R"("spectrum": {"max_order": 33}, "protocol": {"samples_per_revolution": 64})"),
             "/spectrum/max_order: 33 is outside [1, 32], half of samples_per_revolution; highest order of "
             "the spin speed "

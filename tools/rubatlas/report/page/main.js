@@ -137,14 +137,12 @@ function askedFor() {
     wanted.memory = finalMemory.subarray(remembered * pointAt(state.place), remembered * (pointAt(state.place) + 1));
   }
   if (!state.own) return fromAtlas || state.start === 'initial' ? withTransient(wanted, !fromAtlas) : null;
-  return withTransient({...wanted, ...state.own}, true, fromAtlas);
+  return withTransient({...wanted, ...state.own}, true);
 }
-function withTransient(wanted, needed, mayStop = false) {
+function withTransient(wanted, needed) {
   if (!needed) return wanted;
-  // From a neighbour's motion the transient ends where the sections repeat; from the initial state it is that of the
-  // scene's protocol.
   const revolutions = Math.min(atlas.scene.protocol.transient_revolutions, LONGEST_TRANSIENT);
-  return {...wanted, transient_revolutions: revolutions, stop_when_periodic: mayStop ? 1 : 0};
+  return {...wanted, transient_revolutions: revolutions, settle: 'newton'};
 }
 
 let asked = 0, running = false, again = false;
@@ -204,7 +202,7 @@ function tell(answer, wanted, own, waited) {
   const start = !startsFromCell() ? 'from the scene’s initial state' : own ? 'from the motion of the selected cell'
     : 'from the state that the atlas stores';
   const transient = wanted.transient_revolutions
-    ? `, after ${wanted.stop_when_periodic ? 'up to ' : ''}${wanted.transient_revolutions} revolutions of transient`
+    ? `, after up to ${wanted.transient_revolutions} revolutions of transient`
     : '';
   byId('own-status').textContent = orbit.status === 1
     ? `Computed in this page ${start}${transient}: ${view.result.sections.length / 4} sections.`
@@ -217,8 +215,7 @@ async function more() {
   running = true;
   const last = before.sections.length - 4;
   const [x, y, vx, vy] = before.sections.subarray(last, last + 4);
-  const wanted = {...before.wanted, x, y, vx, vy, memory: before.orbit.memory, transient_revolutions: 0,
-    stop_when_periodic: 0};
+  const wanted = {...before.wanted, x, y, vx, vy, memory: before.orbit.memory, transient_revolutions: 0, settle: 'never'};
   try {
     const answer = await computer.compute(wanted, atlas.scene.spectrum?.max_order ?? 12);
     const sections = new Float64Array(before.sections.length + answer.orbit.sections.length);

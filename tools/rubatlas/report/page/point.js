@@ -29,7 +29,7 @@ function requestAt(place) {
     youngs_modulus: blades.youngs_modulus, hub_radius: blades.hub_radius, ring_radius: ring.radius,
     tolerance: Math.min(scene.accuracy?.tolerance ?? TOLERANCE, TOLERANCE),
     x: initial?.x ?? 0, y: initial?.y ?? 0, vx: initial?.vx ?? 0, vy: initial?.vy ?? 0,
-    transient_revolutions: 0, sampled_revolutions: REVOLUTIONS, samples_per_revolution: SAMPLES, stop_when_periodic: 0,
+    transient_revolutions: 0, sampled_revolutions: REVOLUTIONS, samples_per_revolution: SAMPLES, settle: 'never',
     memory: [], scene};
 }
 /// The scene of one point that the solver is given: that of `wanted` with its numbers, computed by collocation.
@@ -44,7 +44,7 @@ function sceneOf(wanted) {
     ...(wanted.unbalance === 0 ? {} : {unbalance: {...unbalance, moment: wanted.unbalance}}),
     initial: {x: wanted.x, y: wanted.y, vx: wanted.vx, vy: wanted.vy},
     protocol: {transient_revolutions: wanted.transient_revolutions, sampled_revolutions: wanted.sampled_revolutions,
-      samples_per_revolution: wanted.samples_per_revolution, stop_when_periodic: wanted.stop_when_periodic === 1},
+      samples_per_revolution: wanted.samples_per_revolution, settle: wanted.settle},
     accuracy: {method: 'collocation', tolerance: wanted.tolerance},
     grid: {speed_ratio: [wanted.speed_ratio]}};
 }
