@@ -20,19 +20,6 @@ namespace {
 
 using effects::Effects;
 
-/// The scene's blade, with the errors of each.
-std::vector<settings::Blades> each_blade(const settings::Scene& line) {
-  const auto count = static_cast<std::size_t>(line.blades.count);
-  std::vector<settings::Blades> blades(count, line.blades);
-  if (!line.unequal_blades) return blades;
-  const auto errors = line.unequal_blades->errors(line.blades.count);
-  for (std::size_t k = 0; k < count; ++k) {
-    blades[k].length += errors[k].length;
-    blades[k].thickness += errors[k].thickness;
-  }
-  return blades;
-}
-
 /// Of elastica or beam-column, and its axial compliance.
 std::shared_ptr<const blade::ElasticaCurve> curve_of(const LineRequest& request,
                                                      const settings::Blades& blade) {
@@ -69,7 +56,7 @@ std::vector<contact::DirectedElastica> directed_elastica_of_blades(const LineReq
                              ? contact::LoadDirection::normal
                              : contact::LoadDirection::axial;
   std::vector<contact::DirectedElastica> laws;
-  for (const settings::Blades& blade : each_blade(line)) {
+  for (const settings::Blades& blade : variation::each_blade(line)) {
     laws.emplace_back(direction, variation::geometry_of(line.ring, blade), variation::blade_of(blade),
                       friction_of(request));
   }
@@ -80,7 +67,7 @@ std::vector<contact::ElasticBladeOnDampedRing> elastica_on_damped_ring(const Lin
   const settings::Scene& line = request.line;
   const contact::DampedRing ring{1.0 / line.yielding_ring->compliance, ring_damping(request)};
   std::vector<contact::ElasticBladeOnDampedRing> laws;
-  for (const settings::Blades& blade : each_blade(line)) {
+  for (const settings::Blades& blade : variation::each_blade(line)) {
     laws.emplace_back(contact::ElasticaContact(variation::geometry_of(line.ring, blade),
                                                variation::blade_of(blade), curve_of(request, blade)),
                       ring);
@@ -91,7 +78,7 @@ std::vector<contact::ElasticBladeOnDampedRing> elastica_on_damped_ring(const Lin
 std::vector<contact::ElasticRingContact> elastic_ring_of_blades(const LineRequest& request) {
   const settings::Scene& line = request.line;
   std::vector<contact::ElasticRingContact> laws;
-  for (const settings::Blades& blade : each_blade(line))
+  for (const settings::Blades& blade : variation::each_blade(line))
     laws.emplace_back(variation::geometry_of(line.ring, blade), line.ring.stiffness, friction_of(request),
                       ring_damping(request));
   return laws;
@@ -104,7 +91,7 @@ std::vector<contact::ElasticaContact> elastica_of_blades(const LineRequest& requ
   if (consumed.contains<&Effects::yielding_ring>()) ring.stiffness = 1.0 / line.yielding_ring->compliance;
   if (consumed.contains<&Effects::release>()) ring.release = contact::Release::at_fold;
   std::vector<contact::ElasticaContact> laws;
-  for (const settings::Blades& blade : each_blade(line)) {
+  for (const settings::Blades& blade : variation::each_blade(line)) {
     laws.emplace_back(variation::geometry_of(line.ring, blade), variation::blade_of(blade),
                       curve_of(request, blade), ring);
   }

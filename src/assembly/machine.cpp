@@ -8,6 +8,7 @@
 #include "point/solver_of_motions.hpp"
 #include "rotor/rippled_unbalance.hpp"
 #include "settings/effects/list.hpp"
+#include "variation/blades_of_scene.hpp"
 #include "variation/support_of_scene.hpp"
 
 namespace rubatlas::assembly {
@@ -51,13 +52,7 @@ rotor::AnyShaft shaft_of(const settings::Scene& line, settings::Machine kind, do
 }
 
 rotor::RipplingBlades blades_of(const settings::Scene& line, double speed_ratio) {
-  // From blade 0's place [rad].
-  std::vector<double> angles = rotor::equal_angles(line.blades.count);
-  if (effects::acts<&Effects::unequal_blades>(line)) {
-    const auto errors = line.unequal_blades->errors(line.blades.count);
-    for (std::size_t k = 0; k < angles.size(); ++k) angles[k] += errors[k].angle;
-  }
-  return {angles, speed_ratio, line.speed_ripple.value_or(effects::SpeedRipple{})};
+  return {variation::angles_of(line), speed_ratio, line.speed_ripple.value_or(effects::SpeedRipple{})};
 }
 
 rotor::Ring ring_of(const settings::Scene& line) {

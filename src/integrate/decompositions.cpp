@@ -8,7 +8,7 @@
 
 namespace rubatlas::integrate {
 
-EigenModes eigen_modes(const Eigen::Matrix4d& matrix) {
+EigenModes eigen_modes(const Eigen::MatrixXd& matrix) {
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix);
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
@@ -16,6 +16,10 @@ EigenModes eigen_modes(const Eigen::Matrix4d& matrix) {
 SchurForm schur_form(const Eigen::MatrixXd& matrix) {
   const Eigen::RealSchur<Eigen::MatrixXd> schur(matrix);
   return {schur.matrixU(), schur.matrixT()};
+}
+
+Eigen::VectorXcd EigenModes::coordinates(const Eigen::VectorXd& vector) const {
+  return shapes.partialPivLu().solve(vector.cast<std::complex<double>>());
 }
 
 /// From those of (A − σB)⁻¹ B, which are 1/(λ − σ). Of some σ, more than there are λ, the one that is

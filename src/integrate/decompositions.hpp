@@ -7,10 +7,13 @@
 namespace rubatlas::integrate {
 
 struct EigenModes {
-  Eigen::Vector4cd values;
-  Eigen::Matrix4cd shapes;  ///< a column for each value, of length 1
+  Eigen::VectorXcd values;
+  Eigen::MatrixXcd shapes;  ///< a column for each value, of length 1
+
+  /// `shapes` w = `vector`.
+  [[nodiscard]] Eigen::VectorXcd coordinates(const Eigen::VectorXd& vector) const;
 };
-EigenModes eigen_modes(const Eigen::Matrix4d& matrix);
+EigenModes eigen_modes(const Eigen::MatrixXd& matrix);
 
 /// `matrix` = Q T Qᵀ: Q orthogonal, T triangular but for a block of two on its diagonal for each complex
 /// pair.

@@ -42,6 +42,7 @@ class Lyapunov final : public Observable {
     cycle_.reset();
   }
   void on_cycle(const variation::Tangents& return_map) override {
+    if (return_map.size() == 0) return flow_.loses_track();
     cycle_ = integrate::schur_form(return_map);
     flow_.set_tangents(cycle_->vectors);
     aligning_ = 0;

@@ -19,7 +19,8 @@ class Observable {
   /// The sampled revolutions of a point start: everything gathered for the point before is cleared.
   virtual void begin(const trajectory::PointConstants& point) = 0;
   /// Called behind `begin` where the motion is one period of a cycle, which stands for all sampled
-  /// revolutions. `return_map`: what it makes of small differences at its start, those of the ring included.
+  /// revolutions. `return_map`: what it makes of small differences at its start, those of the ring included;
+  /// empty where it is not known.
   virtual void on_cycle(const variation::Tangents& /*return_map*/) {}
   virtual void piece(trajectory::MotionPiece& /*piece*/) {}
   virtual void touch_down(int /*blade*/) {}

@@ -20,6 +20,24 @@ motion::SectionState section_of(const motion::PointMotion& motion) {
   return rotor::as_array(rotor::shaft(motion.state()));
 }
 
+/// The section of all that moves, and the start of a motion there.
+Section whole_section(const motion::PointMotion& motion) {
+  const rotor::ShaftAndRing bodies = motion.state();
+  const bool with_ring = !motion.memory().view().empty();
+  Section section(with_ring ? 8 : 4);
+  if (with_ring) {
+    section << bodies.head<2>(), bodies.segment<2>(4), bodies.segment<2>(2), bodies.tail<2>();
+  } else {
+    section << bodies.head<4>();
+  }
+  return section;
+}
+motion::PointStart start_of(const Section& section) {
+  if (section.size() == 4) return motion::SectionState{section[0], section[1], section[2], section[3]};
+  const std::array<double, 4> ring{section[2], section[3], section[6], section[7]};
+  return {motion::SectionState{section[0], section[1], section[4], section[5]}, motion::Memory(ring)};
+}
+
 /// Passes what happens in the sampled revolutions on to the observables.
 class Recording final : public modes::MotionListener {
  public:
@@ -44,20 +62,17 @@ class Recording final : public modes::MotionListener {
   observables::Recorder* recorder_;
 };
 
-/// Touch-downs (blade + 1) and lift-offs −(blade + 1), and sections, since they were last taken.
+/// Touch-downs (blade + 1) and lift-offs −(blade + 1) since they were last taken.
 class Touches final : public modes::MotionListener {
  public:
   void event(const modes::Event& event) override {
     if (event.kind == modes::Guard::touch_down) events_.push_back(event.blade + 1);
     if (event.kind == modes::Guard::lift_off) events_.push_back(-event.blade - 1);
   }
-  void revolution_ends(const motion::SectionState& section) override { sections_.push_back(section); }
   [[nodiscard]] std::vector<std::int32_t> take() { return std::exchange(events_, {}); }
-  [[nodiscard]] std::vector<motion::SectionState> take_sections() { return std::exchange(sections_, {}); }
 
  private:
   std::vector<std::int32_t> events_;
-  std::vector<motion::SectionState> sections_;
 };
 
 /// Follows a motion for its section map.
@@ -253,8 +268,9 @@ PointOutcome PointSolver::run(double speed_ratio, const motion::PointStart& star
   if (begun.settled > 0) {
     const auto period = static_cast<int>(begun.cycle.size());
     const bool exponents = std::ranges::count(scene_.observables, "lyapunov") > 0;
-    recorder_.on_cycle(exponents ? section_map(speed_ratio, begun.cycle.front(), period).jacobian
-                                 : variation::Tangents{});
+    std::optional<Return> turn;
+    if (exponents) turn = return_from(speed_ratio, begun.cycle.front(), period, true, begun.work);
+    recorder_.on_cycle(turn ? turn->jacobian : variation::Tangents{});
     revolutions = std::min(revolutions, period);
   }
   if (begun.ending.status == ending::PointStatus::done)
@@ -267,11 +283,13 @@ PointOutcome PointSolver::run(double speed_ratio, const motion::PointStart& star
   const bool done = outcome.status == ending::PointStatus::done;
   if (done) {
     outcome.settled = begun.settled;
-    outcome.final_state =
-        begun.settled == 0
-            ? section_of(*begun.motion)
-            : begun.cycle[static_cast<std::size_t>(scene_.protocol.sampled_revolutions) % begun.cycle.size()];
-    outcome.final_memory = begun.motion->memory();
+    motion::PointStart end{section_of(*begun.motion), begun.motion->memory()};
+    if (begun.settled > 0) {
+      const auto sections = static_cast<std::size_t>(scene_.protocol.sampled_revolutions);
+      end = start_of(begun.cycle[sections % begun.cycle.size()]);
+    }
+    outcome.final_state = end.state;
+    outcome.final_memory = end.memory;
   }
   recorder_.clearance_grows(begun.motion->clearance_growth());
   outcome.rows = recorder_.rows(done);
@@ -309,7 +327,7 @@ auto PointSolver::transient(double speed_ratio, const motion::PointStart& start,
   std::optional<Settling> settling;
   if (settles_) {
     settling.emplace(scene_.accuracy.tolerance * scale, scale,
-                     [&, speed_ratio](const motion::SectionState& from, int count, bool derivative) {
+                     [&, speed_ratio](const Section& from, int count, bool derivative) {
                        return return_from(speed_ratio, from, count, derivative, result.work);
                      });
   }
@@ -328,7 +346,7 @@ auto PointSolver::transient(double speed_ratio, const motion::PointStart& start,
       return result;
     }
     if (!settling) continue;
-    settling->add(section_of(*result.motion), touches.take());
+    settling->add(whole_section(*result.motion), touches.take());
     auto cycle = settling->cycle(all - revolution - 1);
     if (!cycle) continue;
     // Every section keeps its place in the cycle.
@@ -336,29 +354,40 @@ auto PointSolver::transient(double speed_ratio, const motion::PointStart& start,
     std::ranges::rotate(*cycle, cycle->begin() + static_cast<std::ptrdiff_t>(left));
     result.settled = revolution + 1;
     result.work += result.motion->work();
-    result.motion = motion_of(speed_ratio, cycle->front());
-    status = result.motion->start(cycle->front());
+    result.motion = motion_of(speed_ratio, start_of(cycle->front()));
+    status = result.motion->start(start_of(cycle->front()));
     result.cycle = std::move(*cycle);
     break;
   }
   return ended(status, status == ending::PointStatus::done ? -1 : revolutions);
 }
 
-std::optional<Return> PointSolver::return_from(double speed_ratio, const motion::SectionState& from,
-                                               int revolutions, bool derivative, motion::WorkCounts& work) {
-  if (derivative) {
-    SectionMap map = mapped(speed_ratio, from, revolutions, work);
-    if (map.status != ending::PointStatus::done || !map.differentiable) return std::nullopt;
-    const double miss = map.nearest_pass ? map.nearest_pass->miss : map.lightest_touch;
-    return Return{std::move(map.sections), std::move(map.events), map.jacobian,
-                  std::min(miss, map.lightest_touch)};
-  }
+std::optional<Return> PointSolver::return_from(double speed_ratio, const Section& from, int revolutions,
+                                               bool derivative, motion::WorkCounts& work) {
   Touches touches;
-  const auto motion = motion_of(speed_ratio, from);
-  const ending::PointStatus status = follow(*motion, motion->start(from), touches, revolutions);
+  std::optional<Mapping> mapping;
+  if (derivative) mapping.emplace(tangents_at(speed_ratio), point_of(speed_ratio));
+  modes::MotionListener& listener = derivative ? static_cast<modes::MotionListener&>(*mapping) : touches;
+  const auto motion = motion_of(speed_ratio, start_of(from));
+  Return result;
+  ending::PointStatus status = motion->start(start_of(from));
+  for (int revolution = 0; status == ending::PointStatus::done && revolution < revolutions; ++revolution) {
+    status = motion->revolution(listener, {}, revolution);
+    result.sections.push_back(whole_section(*motion));
+  }
   work += motion->work();
   if (status != ending::PointStatus::done) return std::nullopt;
-  return Return{touches.take_sections(), touches.take(), {}, 0.0};
+  if (!derivative) {
+    result.events = touches.take();
+    return result;
+  }
+  SectionMap map = mapping->map();
+  if (!map.differentiable) return std::nullopt;
+  result.events = std::move(map.events);
+  result.jacobian = map.jacobian;
+  result.nearest_grazing =
+      map.nearest_pass ? std::min(map.nearest_pass->miss, map.lightest_touch) : map.lightest_touch;
+  return result;
 }
 
 PointSolver::Ending PointSolver::whole(AfterTransient& begun, modes::MotionListener& listener) const {
@@ -381,19 +410,12 @@ PointSolver::Ending PointSolver::sampled(motion::PointMotion& motion, int revolu
 }
 
 SectionMap PointSolver::section_map(double speed_ratio, const motion::PointStart& start, int revolutions) {
-  motion::WorkCounts work;
-  return mapped(speed_ratio, start, revolutions, work);
-}
-
-SectionMap PointSolver::mapped(double speed_ratio, const motion::PointStart& start, int revolutions,
-                               motion::WorkCounts& work) {
   const auto motion = motion_of(speed_ratio, start);
   Mapping mapping(tangents_at(speed_ratio), point_of(speed_ratio));
   const ending::PointStatus status = follow(*motion, motion->start(start), mapping, revolutions);
   SectionMap map = mapping.map();
   map.status = status;
   if (status != ending::PointStatus::done) map.detail = motion->status_detail();
-  work += motion->work();
   return map;
 }
 

@@ -40,9 +40,9 @@ class PointSolver final : public LineSolver {
   struct AfterTransient {
     std::unique_ptr<motion::PointMotion> motion;  ///< about to begin the first sampled revolution
     Ending ending;
-    int settled = 0;  ///< revolutions that were run before it had settled; 0: it has not
-    std::vector<motion::SectionState> cycle;  ///< on which it has, from the first sampled revolution on
-    motion::WorkCounts work;                  ///< of what is not `motion`
+    int settled = 0;             ///< revolutions that were run before it had settled; 0: it has not
+    std::vector<Section> cycle;  ///< on which it has, from the first sampled revolution on
+    motion::WorkCounts work;     ///< of what is not `motion`
   };
 
   /// The linearised flow, at the start of a motion.
@@ -53,11 +53,8 @@ class PointSolver final : public LineSolver {
                                     modes::MotionListener& listener, int revolutions);
   [[nodiscard]] std::unique_ptr<motion::PointMotion> motion_of(double speed_ratio,
                                                                const motion::PointStart& start) const;
-  /// As `section_map`; adds its work.
-  SectionMap mapped(double speed_ratio, const motion::PointStart& start, int revolutions,
-                    motion::WorkCounts& work);
-  std::optional<Return> return_from(double speed_ratio, const motion::SectionState& from, int revolutions,
-                                    bool derivative, motion::WorkCounts& work);
+  std::optional<Return> return_from(double speed_ratio, const Section& from, int revolutions, bool derivative,
+                                    motion::WorkCounts& work);
   AfterTransient transient(double speed_ratio, const motion::PointStart& start, const modes::GoOn& go_on);
   /// So many sampled revolutions.
   Ending sampled(motion::PointMotion& motion, int revolutions, modes::MotionListener& listener,

@@ -1,6 +1,5 @@
 #include "point/settling.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <complex>
 #include <utility>
@@ -10,18 +9,11 @@
 namespace rubatlas::point {
 namespace {
 
-using Section = Eigen::Map<const Eigen::Vector4d>;
-
-Eigen::Vector4d difference(const motion::SectionState& a, const motion::SectionState& b) {
-  return Section(a.data()) - Section(b.data());
+double distance(const Section& a, const Section& b) {
+  return (a - b).lpNorm<Eigen::Infinity>();
 }
-double distance(const motion::SectionState& a, const motion::SectionState& b) {
-  return difference(a, b).lpNorm<Eigen::Infinity>();
-}
-motion::SectionState moved(const motion::SectionState& from, const Eigen::Vector4d& by) {
-  motion::SectionState to = from;
-  Eigen::Map<Eigen::Vector4d>(to.data()) += by;
-  return to;
+double largest(const Eigen::VectorXcd& values) {
+  return values.cwiseAbs().maxCoeff();
 }
 
 /// A multiplier nearer to the unit circle leaves open which way the motion goes.
@@ -29,7 +21,7 @@ constexpr double kLargestMultiplier = 0.999;
 
 }  // namespace
 
-void Settling::add(const motion::SectionState& section, std::vector<std::int32_t> events) {
+void Settling::add(const Section& section, std::vector<std::int32_t> events) {
   revolutions_[count_++ % kKept] = {section, std::move(events)};
 }
 
@@ -53,7 +45,7 @@ std::size_t Settling::period() const {
   return 0;
 }
 
-std::optional<std::vector<motion::SectionState>> Settling::cycle(int left) {
+std::optional<std::vector<Section>> Settling::cycle(int left) {
   // A search costs as much as so many periods, and is worth it only where it may save more. Searches come at
   // ever longer intervals, so that a motion that never settles costs little more.
   constexpr std::size_t kCost = 12;
@@ -76,11 +68,11 @@ auto Settling::candidate(std::size_t period) const -> std::optional<Candidate> {
   constexpr double kContraction = 0.25;  // of a step by the one before
   constexpr double kUncertainty = 4.0;   // error of J, over the part of a step that it leaves for the next
   const auto revolutions = static_cast<int>(period);
-  const motion::SectionState& start = back(period).section;
+  const Section& start = back(period).section;
   std::vector<std::int32_t> events;
   for (std::size_t i = period; i-- > 0;)
     events.insert(events.end(), back(i).events.begin(), back(i).events.end());
-  const auto turn_from = [&](const motion::SectionState& from, bool derivative) {
+  const auto turn_from = [&](const Section& from, bool derivative) {
     auto turn = return_from_(from, revolutions, derivative);
     if (turn && turn->events != events) turn.reset();
     return turn;
@@ -90,25 +82,23 @@ auto Settling::candidate(std::size_t period) const -> std::optional<Candidate> {
   // A motion that starts anew from the section goes where the one that came from there has gone.
   if (!turn || distance(turn->sections.back(), back(0).section) > error_) return std::nullopt;
   Candidate result{{start}, turn->jacobian, turn->nearest_grazing, count_};
-  motion::SectionState& at = result.sections.front();
-  const Eigen::Matrix4d closing = (Eigen::Matrix4d::Identity() - result.jacobian).inverse();
+  Section& at = result.sections.front();
+  const Eigen::MatrixXd closing = Eigen::MatrixXd::Identity(start.size(), start.size()) - result.jacobian;
   double step = 0.0;
   double contraction = 0.0;
   for (int i = 0;; ++i) {
-    const Eigen::Vector4d correction = closing * difference(turn->sections.back(), at);
+    const Section correction = integrate::solve(closing, turn->sections.back() - at);
     const double before = std::exchange(step, correction.lpNorm<Eigen::Infinity>());
     if (i > 0 && step < 0.1 * error_) break;
     if (i > 0) contraction = std::max(contraction, step / before);
     if (!(step < scale_) || contraction > kContraction || i == kMostSteps) return std::nullopt;
-    at = moved(at, correction);
+    at += correction;
     turn = turn_from(at, false);
     if (!turn) return std::nullopt;
   }
   result.sections.insert(result.sections.end(), turn->sections.begin(), turn->sections.end() - 1);
 
-  const auto largest_multiplier = [&] {
-    return integrate::eigen_modes(result.jacobian).values.cwiseAbs().maxCoeff();
-  };
+  const auto largest_multiplier = [&] { return largest(integrate::eigen_modes(result.jacobian).values); };
   if (!(largest_multiplier() + kUncertainty * contraction < kLargestMultiplier)) {
     turn = turn_from(at, true);
     if (!turn) return std::nullopt;
@@ -127,7 +117,7 @@ bool Settling::approaches(const Candidate& candidate) const {
   constexpr double kFromGrazing = 10.0;  // differences from the next touch-down that comes or goes
   constexpr std::size_t kOnCycle = 3;    // sections that differ by no more than their error
   const std::size_t period = candidate.sections.size();
-  const motion::SectionState& cycle = candidate.sections.front();
+  const Section& cycle = candidate.sections.front();
   if (candidate.nearest_grazing < kFromGrazing * distance(back(0).section, cycle)) return false;
 
   std::size_t on_cycle = 0;
@@ -135,21 +125,21 @@ bool Settling::approaches(const Candidate& candidate) const {
   if (on_cycle == kOnCycle) return true;
 
   const auto modes = integrate::eigen_modes(candidate.jacobian);
-  const Eigen::Matrix4cd to_modes = modes.shapes.inverse();
-  const auto in_modes = [&](std::size_t revolutions) -> Eigen::Vector4cd {
-    return to_modes * difference(back(revolutions).section, cycle).cast<std::complex<double>>();
+  const auto in_modes = [&](std::size_t revolutions) {
+    return modes.coordinates(back(revolutions).section - cycle);
   };
-  const auto size = [](const Eigen::Vector4cd& w) { return w.cwiseAbs().maxCoeff(); };
-  const double rounding = error_ * to_modes.cwiseAbs().rowwise().sum().maxCoeff();
-  const double taken_off = 1.0 - size(modes.values);
-  Eigen::Vector4cd after = in_modes(0);
-  const double last = size(after);
+  double rounding = 0.0;
+  for (Eigen::Index i = 0; i < cycle.size(); ++i)
+    rounding += error_ * largest(modes.coordinates(Section::Unit(cycle.size(), i)));
+  const double taken_off = 1.0 - largest(modes.values);
+  Eigen::VectorXcd after = in_modes(0);
+  const double last = largest(after);
   for (std::size_t returns = 1; (returns + 1) * period < known(); ++returns) {
     if (!same_events(period, returns * period)) return false;
-    const Eigen::Vector4cd before = in_modes(returns * period);
-    const double differs = size(after - modes.values.cwiseProduct(before));
-    if (differs > kShare * taken_off * size(before) + rounding) return false;
-    if (returns >= kReturns && size(before) > kOverRounding * rounding && last <= kSize * size(before))
+    const Eigen::VectorXcd before = in_modes(returns * period);
+    const double differs = largest(after - modes.values.cwiseProduct(before));
+    if (differs > kShare * taken_off * largest(before) + rounding) return false;
+    if (returns >= kReturns && largest(before) > kOverRounding * rounding && last <= kSize * largest(before))
       return true;
     after = before;
   }

@@ -10,6 +10,7 @@
 /// multipliers).
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -19,14 +20,17 @@
 #include <utility>
 #include <vector>
 
-#include "motion/point_start.hpp"
 #include "variation/tangents.hpp"
 
 namespace rubatlas::point {
 
+/// The state of all that moves at phase 0, in the order of the rows of `variation::Tangents`: places of the
+/// shaft and of a ring that is a body [m], then their velocities [m per unit τ].
+using Section = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 2 * variation::kMostCoordinates, 1>;
+
 /// What comes of a section in some revolutions.
 struct Return {
-  std::vector<motion::SectionState> sections;  ///< after each revolution
+  std::vector<Section> sections;  ///< after each revolution
   /// Touch-downs (blade + 1) and lift-offs −(blade + 1), in order of time.
   std::vector<std::int32_t> events;
   // Where the derivative is asked for:
@@ -35,7 +39,7 @@ struct Return {
 };
 /// Nothing where the motion ends before, or has no derivative where that is asked for.
 using ReturnFrom =
-    std::function<std::optional<Return>(const motion::SectionState& start, int revolutions, bool derivative)>;
+    std::function<std::optional<Return>(const Section& start, int revolutions, bool derivative)>;
 
 class Settling {
  public:
@@ -46,17 +50,17 @@ class Settling {
       : error_(error), scale_(scale), return_from_(std::move(return_from)) {}
 
   /// The revolution that has just been run.
-  void add(const motion::SectionState& section, std::vector<std::int32_t> events);
+  void add(const Section& section, std::vector<std::int32_t> events);
   /// The sections of the cycle on which the motion ends, in order; the last section that was added is about
   /// to be the first of them. Nothing where that is not certain, or not worth the work before `left`
   /// revolutions.
-  [[nodiscard]] std::optional<std::vector<motion::SectionState>> cycle(int left);
+  [[nodiscard]] std::optional<std::vector<Section>> cycle(int left);
 
  private:
-  using Cycle = std::vector<motion::SectionState>;
+  using Cycle = std::vector<Section>;
   static constexpr std::size_t kKept = 256;
   struct Revolution {
-    motion::SectionState section;  ///< at its end
+    Section section;  ///< at its end
     std::vector<std::int32_t> events;
   };
   /// A stable cycle that the motion may be approaching.

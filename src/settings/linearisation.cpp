@@ -11,12 +11,14 @@ std::optional<std::string> refusal_of_linearisation(const Scene& scene) {
   using effects::Effects;
   constexpr EffectSet kLinearised =
       effect_set<&Effects::unbalance, &Effects::gravity, &Effects::side_load, &Effects::support,
-                 &Effects::ring_body, &Effects::regularised_friction, &Effects::stribeck>();
+                 &Effects::ring_body, &Effects::regularised_friction, &Effects::stribeck,
+                 &Effects::unequal_blades>();
   const EffectSet others = given(scene) - kLinearised;
   if (!others.empty()) {
     return fmt::format(
         "{}: the motion under this effect has no linearised flow here; it is known with /unbalance, "
-        "/gravity, /side_load, /support, /ring_body, /regularised_friction and /stribeck only",
+        "/gravity, /side_load, /support, /ring_body, /regularised_friction, /stribeck and /unequal_blades "
+        "only",
         others.sections().front());
   }
   if (ring_has_no_mass(scene)) {
@@ -46,11 +48,15 @@ std::optional<std::string> refusal_of_shooting(const Scene& scene) {
         "it "
         "where the ring is a body");
   }
+  if (scene.unequal_blades) {
+    return std::string(
+        "/unequal_blades: orbits are followed from touch-down to touch-down of blades that are alike");
+  }
   return refusal_of_linearisation(scene);
 }
 
 bool settles(const Scene& scene) {
-  return scene.protocol.settle == Settle::newton && !refusal_of_shooting(scene);
+  return scene.protocol.settle == Settle::newton && !refusal_of_linearisation(scene);
 }
 
 }  // namespace rubatlas::settings

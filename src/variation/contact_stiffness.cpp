@@ -92,44 +92,52 @@ struct ContactStiffness::Tip {
   }
 };
 
-ContactStiffness::Law ContactStiffness::law_of(const settings::Scene& line) {
-  const contact::Geometry geometry = geometry_of(line.ring, line.blades);
+std::vector<ContactStiffness::OfBlade> ContactStiffness::laws_of(const settings::Scene& line) {
   const contact::Friction friction = friction_of(line);
-  if (line.contact.law == settings::ContactLaw::elastic_ring)
-    return RigidBlade(geometry, line.ring.stiffness, friction);
-  if (friction.depends_on_velocity())
-    return DirectedBlade(contact::LoadDirection::axial, geometry, blade_of(line.blades), friction);
   const auto theory = line.contact.law == settings::ContactLaw::beam_column ? blade::Theory::beam_column
                                                                             : blade::Theory::elastica;
-  return ElasticBlade(geometry, blade_of(line.blades), curve_of(line.contact.friction, theory));
+  const auto law_of = [&](const settings::Blades& blade, const contact::Geometry& geometry) -> Law {
+    if (line.contact.law == settings::ContactLaw::elastic_ring)
+      return RigidBlade(geometry, line.ring.stiffness, friction);
+    if (friction.depends_on_velocity())
+      return DirectedBlade(contact::LoadDirection::axial, geometry, blade_of(blade), friction);
+    return ElasticBlade(geometry, blade_of(blade), curve_of(line.contact.friction, theory));
+  };
+  std::vector<OfBlade> laws;
+  for (const settings::Blades& blade : each_blade(line)) {
+    const contact::Geometry geometry = geometry_of(line.ring, blade);
+    laws.push_back({geometry, law_of(blade, geometry)});
+  }
+  return laws;
 }
 
 ContactStiffness::ContactStiffness(const settings::Scene& line)
-    : geometry_(geometry_of(line.ring, line.blades)), law_(law_of(line)), blades_(line.blades.count, 0.0) {}
+    : laws_(laws_of(line)), angles_(angles_of(line)), blades_(angles_, 0.0) {}
 
 void ContactStiffness::begin(const rotor::RotorConstants& rotor) {
   rotor_ = rotor;
-  blades_ = rotor::BladeSet(blades_.count(), rotor.speed_ratio);
+  blades_ = rotor::BladeSet(angles_, rotor.speed_ratio);
 }
 
 std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contact, double time,
                                                            const State& state) const {
+  const auto& [geometry, law] = of_blade(contact.blade);
   const contact::BladeDirection direction = blades_.direction(contact.blade, blades_.first(time));
   const Number turned(0.0, rotor_.speed_ratio * Slopes::Unit(kTime));
   const Number er_x = of(direction.cosine, -direction.sine, turned);
   const Number er_y = of(direction.sine, direction.cosine, turned);
   const contact::PoseOf<Number> at = contact::pose<Number>(
-      geometry_, er_x, er_y, variable(state[0], kPlace), variable(state[1] + rotor_.misalignment, kPlace + 1),
+      geometry, er_x, er_y, variable(state[0], kPlace), variable(state[1] + rotor_.misalignment, kPlace + 1),
       variable(state[2], kVelocity), variable(state[3], kVelocity + 1));
 
   Tip tip;
   Vector bent{Number(0.0), Number(0.0)};
   Number load(0.0), load_angle(0.0);
-  if (const auto* elastic = std::get_if<ElasticBlade>(&law_)) {
+  if (const auto* elastic = std::get_if<ElasticBlade>(&law)) {
     tip.unknowns = 1;
     double bending = contact.bending;
     if (!contact.carried) {
-      const contact::Pose pose = rotor::pose_of(rotor_, geometry_, direction, rotor::as_state(state));
+      const contact::Pose pose = rotor::pose_of(rotor_, geometry, direction, rotor::as_state(state));
       const auto root = elastic->solve_near(pose, contact.slip, bending);
       if (!root) return std::nullopt;
       bending = *root;
@@ -139,7 +147,7 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
     bent.along = elastic->length() * of(point.shortening, point.shortening_slope, u);
     bent.across = contact.slip * elastic->length() * of(point.deflection, point.deflection_slope, u);
     load = elastic->load_unit() * of(point.load, point.load_slope, u);
-  } else if (const auto* directed = std::get_if<DirectedBlade>(&law_)) {
+  } else if (const auto* directed = std::get_if<DirectedBlade>(&law)) {
     tip.unknowns = 2;
     const blade::InclinedPoint point = DirectedBlade::blade_at({contact.modulus, contact.amplitude});
     const auto of_bend = [](const auto& quantity) {
@@ -152,7 +160,7 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
     load = directed->load_unit() * of_bend(point.load);
     load_angle = of_bend(point.load_angle);
   }
-  const Vector unbent{at.radial + geometry_.reach, at.tangential};
+  const Vector unbent{at.radial + geometry.reach, at.tangential};
   const Vector place = unbent - bent;
   const Number distance = sqrt(place.along * place.along + place.across * place.across);
   const Number speed(rotor_.speed_ratio);
@@ -160,21 +168,21 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
       contact::slip_velocity(place, contact::tip_rate(at, speed), speed, Number(1.0 / distance), distance);
   tip.slip = slip_velocity * distance;
 
-  const auto friction_under = [&](const contact::Friction& law) {
-    return of(law.coefficient(slip_velocity.value(), contact.slip), law.slope(slip_velocity.value()),
-              slip_velocity);
+  const auto friction_under = [&](const contact::Friction& friction_law) {
+    return of(friction_law.coefficient(slip_velocity.value(), contact.slip),
+              friction_law.slope(slip_velocity.value()), slip_velocity);
   };
   Number friction(0.0);
-  if (const auto* rigid = std::get_if<RigidBlade>(&law_)) {
+  if (const auto* rigid = std::get_if<RigidBlade>(&law)) {
     friction = friction_under(rigid->friction());
-    load = rigid->stiffness() * (distance - geometry_.ring_radius);
-  } else if (const auto* directed = std::get_if<DirectedBlade>(&law_)) {
+    load = rigid->stiffness() * (distance - geometry.ring_radius);
+  } else if (const auto* directed = std::get_if<DirectedBlade>(&law)) {
     friction = friction_under(directed->friction());
     const Number secant_square = friction * friction + 1.0;
     tip.constraints[1] = load_angle - of(std::atan(friction.value()), 1.0 / secant_square.value(), friction);
     load = load / sqrt(secant_square);
   } else {
-    friction = Number(contact.slip * std::get<ElasticBlade>(law_).curve().friction());
+    friction = Number(contact.slip * std::get<ElasticBlade>(law).curve().friction());
   }
   tip.constraints[0] = contact::contact_equation(at.gap, unbent, bent);
   const Vector direction_of_push = contact::push_direction(place, friction);
@@ -214,12 +222,13 @@ std::optional<ForceSlopes> ContactStiffness::along_path(const trajectory::PathPo
 }
 
 ContactStiffness::Guard ContactStiffness::gap(int blade, double time, const State& state) const {
+  const contact::Geometry& geometry = of_blade(blade).geometry;
   const contact::BladeDirection er = blades_.direction(blade, blades_.first(time));
-  const contact::Pose pose = rotor::pose_of(rotor_, geometry_, er, rotor::as_state(state));
+  const contact::Pose pose = rotor::pose_of(rotor_, geometry, er, rotor::as_state(state));
   Guard guard;
-  guard.gradient << 2.0 * (state[0] + geometry_.reach * er.cosine),
-      2.0 * (state[1] + rotor_.misalignment + geometry_.reach * er.sine), 0.0, 0.0;
-  guard.rate = contact::gap_rate(geometry_, pose, rotor_.speed_ratio);
+  guard.gradient << 2.0 * (state[0] + geometry.reach * er.cosine),
+      2.0 * (state[1] + rotor_.misalignment + geometry.reach * er.sine), 0.0, 0.0;
+  guard.rate = contact::gap_rate(geometry, pose, rotor_.speed_ratio);
   return guard;
 }
 

@@ -17,6 +17,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "contact/directed_elastica.hpp"
 #include "contact/elastic_ring_contact.hpp"
@@ -42,8 +43,8 @@ struct PathScale {
 
 class ContactStiffness {
  public:
-  /// `line`: the scene with the line's values. Its blades are equal, its law and friction as
-  /// `settings::refusal_of_linearisation` allows them.
+  /// `line`: the scene with the line's values, its law and friction as `settings::refusal_of_linearisation`
+  /// allows them.
   explicit ContactStiffness(const settings::Scene& line);
 
   /// A speed ratio Ω of the line.
@@ -55,7 +56,9 @@ class ContactStiffness {
                                                       const PathScale& scale,
                                                       const Eigen::Vector2d& acceleration) const;
   /// The bending of a blade changes with the acceleration of the shaft, through the slip velocity.
-  [[nodiscard]] bool needs_acceleration() const { return std::holds_alternative<DirectedBlade>(law_); }
+  [[nodiscard]] bool needs_acceleration() const {
+    return std::holds_alternative<DirectedBlade>(laws_.front().law);
+  }
 
   /// A guard e of a blade: its gradient by the shaft's state, and its rate along the motion.
   struct Guard {
@@ -76,14 +79,19 @@ class ContactStiffness {
   /// Whose friction depends on the slip velocity.
   using DirectedBlade = contact::DirectedElastica;
   using Law = std::variant<ElasticBlade, RigidBlade, DirectedBlade>;
-  static Law law_of(const settings::Scene& line);
+  struct OfBlade {
+    contact::Geometry geometry;
+    Law law;
+  };
+  static std::vector<OfBlade> laws_of(const settings::Scene& line);
+  [[nodiscard]] const OfBlade& of_blade(int blade) const { return laws_[static_cast<std::size_t>(blade)]; }
 
   struct Tip;
   [[nodiscard]] std::optional<Tip> tip(const trajectory::PathPoint::Contact& contact, double time,
                                        const trajectory::State& state) const;
 
-  contact::Geometry geometry_;
-  Law law_;
+  std::vector<OfBlade> laws_;
+  std::vector<double> angles_;  ///< of the blades [rad]
   rotor::RotorConstants rotor_{};
   rotor::BladeSet blades_;
 };

@@ -17,21 +17,27 @@
 namespace rubatlas::test {
 namespace {
 
-using motion::SectionState;
 using point::Return;
+using point::Section;
 using point::Settling;
 using test::run;  // also where another source of this folder has a `run` of its own
 
 constexpr double kError = 1e-9;
 
+Section four(double x, double y, double vx, double vy) {
+  Section section(4);
+  section << x, y, vx, vy;
+  return section;
+}
+
 /// Iterates a map of sections, whose derivative is taken from differences, as a motion that may settle.
 class MapMotion {
  public:
-  using Map = std::function<SectionState(const SectionState&)>;
+  using Map = std::function<Section(const Section&)>;
   explicit MapMotion(Map map) : map_(std::move(map)) {}
 
   /// Touch-downs of a revolution that begins there.
-  std::function<std::vector<std::int32_t>(const SectionState&)> events = [](const SectionState&) {
+  std::function<std::vector<std::int32_t>(const Section&)> events = [](const Section&) {
     return std::vector<std::int32_t>{1, -1};
   };
   /// Where a motion goes that starts anew from a section; by default where the map goes.
@@ -40,13 +46,13 @@ class MapMotion {
 
   struct Settled {
     int revolutions = 0;  ///< 0: it has not
-    std::vector<SectionState> cycle;
-    SectionState last{};  ///< section that was run to
+    std::vector<Section> cycle;
+    Section last;  ///< section that was run to
     int revolutions_of_searches = 0;
   };
-  [[nodiscard]] Settled run(SectionState from, int revolutions) const {
+  [[nodiscard]] Settled run(Section from, int revolutions) const {
     Settled result;
-    Settling settling(kError, 1.0, [&](const SectionState& start, int count, bool derivative) {
+    Settling settling(kError, 1.0, [&](const Section& start, int count, bool derivative) {
       result.revolutions_of_searches += count;
       return std::optional(turn(start, count, derivative));
     });
@@ -65,7 +71,7 @@ class MapMotion {
   }
 
  private:
-  [[nodiscard]] Return turn(SectionState at, int count, bool derivative) const {
+  [[nodiscard]] Return turn(Section at, int count, bool derivative) const {
     const Map& map = started_anew ? *started_anew : map_;
     Return result;
     result.nearest_grazing = nearest_grazing;
@@ -75,16 +81,10 @@ class MapMotion {
       result.events.insert(result.events.end(), touches.begin(), touches.end());
       if (derivative) {
         Eigen::Matrix4d slopes;
-        for (std::size_t k = 0; k < 4; ++k) {
+        for (Eigen::Index k = 0; k < 4; ++k) {
           constexpr double kStep = 1e-5;
-          SectionState more = at;
-          SectionState less = at;
-          more[k] += kStep;
-          less[k] -= kStep;
-          for (std::size_t j = 0; j < 4; ++j) {
-            slopes(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) =
-                (map(more)[j] - map(less)[j]) / (2.0 * kStep);
-          }
+          const Section step = kStep * Section::Unit(4, k);
+          slopes.col(k) = (map(at + step) - map(at - step)) / (2.0 * kStep);
         }
         result.jacobian = slopes * result.jacobian;
       }
@@ -99,29 +99,29 @@ class MapMotion {
 
 /// The first component by a map of its own, the others contract towards 0.
 MapMotion along_one(std::function<double(double)> map) {
-  return MapMotion([map = std::move(map)](const SectionState& at) {
-    return SectionState{map(at[0]), 0.5 * at[1], 0.3 * at[2], 0.2 * at[3]};
+  return MapMotion([map = std::move(map)](const Section& at) {
+    return four(map(at[0]), 0.5 * at[1], 0.3 * at[2], 0.2 * at[3]);
   });
 }
-SectionState at(double first) {
-  return {first, 1e-3, 1e-3, 1e-3};
+Section at(double first) {
+  return four(first, 1e-3, 1e-3, 1e-3);
 }
 
 TEST(Settling, ASpiralEndsInItsCentreLongBeforeItGetsThere) {
   const double turn = 0.9;
-  const SectionState centre{0.2, -0.1, 0.3, 0.4};
-  const MapMotion spiral([&](const SectionState& at) {
+  const Section centre = four(0.2, -0.1, 0.3, 0.4);
+  const MapMotion spiral([&](const Section& at) {
     const double x = at[0] - centre[0];
     const double y = at[1] - centre[1];
-    return SectionState{centre[0] + 0.8 * (x * std::cos(turn) - y * std::sin(turn)),
-                        centre[1] + 0.8 * (x * std::sin(turn) + y * std::cos(turn)),
-                        centre[2] + 0.1 * (at[2] - centre[2]), centre[3] - 0.2 * (at[3] - centre[3])};
+    return four(centre[0] + 0.8 * (x * std::cos(turn) - y * std::sin(turn)),
+                centre[1] + 0.8 * (x * std::sin(turn) + y * std::cos(turn)),
+                centre[2] + 0.1 * (at[2] - centre[2]), centre[3] - 0.2 * (at[3] - centre[3]));
   });
-  const auto settled = spiral.run({}, 200);
+  const auto settled = spiral.run(four(0.0, 0.0, 0.0, 0.0), 200);
   ASSERT_EQ(settled.cycle.size(), 1U);
   EXPECT_LT(settled.revolutions, 40);
   EXPECT_GT(std::abs(settled.last[0] - centre[0]) + std::abs(settled.last[1] - centre[1]), 1e5 * kError);
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(settled.cycle[0][i], centre[i], 0.1 * kError);
+  for (Eigen::Index i = 0; i < 4; ++i) EXPECT_NEAR(settled.cycle[0][i], centre[i], 0.1 * kError);
 }
 
 TEST(Settling, ACycleOfTwoEndsInBothItsSectionsInTheirOrder) {
@@ -160,13 +160,13 @@ TEST(Settling, ANearlyNeutralCycleIsLeftToTheProtocol) {
 }
 
 TEST(Settling, AnUnstableSpiralInsideATorusIsNoEnd) {
-  const MapMotion torus([](const SectionState& at) {
+  const MapMotion torus([](const Section& at) {
     const double radius = std::hypot(at[0], at[1]);
     const double growth = 1.01 - 1e6 * radius * radius;
-    return SectionState{growth * (at[0] * std::cos(1.0) - at[1] * std::sin(1.0)),
-                        growth * (at[0] * std::sin(1.0) + at[1] * std::cos(1.0)), 0.3 * at[2], 0.2 * at[3]};
+    return four(growth * (at[0] * std::cos(1.0) - at[1] * std::sin(1.0)),
+                growth * (at[0] * std::sin(1.0) + at[1] * std::cos(1.0)), 0.3 * at[2], 0.2 * at[3]);
   });
-  EXPECT_EQ(torus.run({1e-9, 0.0, 1e-3, 1e-3}, 1000).revolutions, 0);
+  EXPECT_EQ(torus.run(four(1e-9, 0.0, 1e-3, 1e-3), 1000).revolutions, 0);
 }
 
 TEST(Settling, NearTheBorderOfABasinAMotionHasSettledOnlyWhenItIsHalfWayInside) {
@@ -177,14 +177,14 @@ TEST(Settling, NearTheBorderOfABasinAMotionHasSettledOnlyWhenItIsHalfWayInside) 
     for (const double start : {0.3, 0.9, 0.999, 0.999999}) {
       const auto inside = along_one([&](double x) {
                             return multiplier * x + x * x / size;
-                          }).run({start * saddle, 0.0, 0.0, 0.0}, 1000);
+                          }).run(four(start * saddle, 0.0, 0.0, 0.0), 1000);
       ASSERT_EQ(inside.cycle.size(), 1U) << multiplier << " from " << start;
       EXPECT_LT(inside.last[0], 0.5 * saddle);
       EXPECT_NEAR(inside.cycle[0][0], 0.0, 0.1 * kError);
     }
     const auto outside = along_one([&](double x) {
                            return multiplier * x + x * x / size;
-                         }).run({1.000001 * saddle, 0.0, 0.0, 0.0}, 60);
+                         }).run(four(1.000001 * saddle, 0.0, 0.0, 0.0), 60);
     EXPECT_EQ(outside.revolutions, 0) << multiplier;
   }
 }
@@ -202,7 +202,7 @@ TEST(Settling, WhereATouchDownComesOrGoesOnTheWayItHasNotSettled) {
   auto contraction = along_one([](double x) { return 0.9 * x; });
   // A second blade touches as long as the motion is farther out.
   const double border = 1e-5;
-  contraction.events = [border](const SectionState& at) {
+  contraction.events = [border](const Section& at) {
     return at[0] > border ? std::vector<std::int32_t>{1, -1, 2, -2} : std::vector<std::int32_t>{1, -1};
   };
   const auto settled = contraction.run(at(1e-3), 300);
@@ -220,7 +220,7 @@ TEST(Settling, WhatGrazesNearTheCycleMustBeFartherThanTheMotion) {
 
 TEST(Settling, AMotionThatGoesElsewhereWhenItStartsAnewDoesNotSettle) {
   auto hidden = along_one([](double x) { return 0.9 * x; });
-  hidden.started_anew = [](const SectionState& at) { return SectionState{0.9 * at[0] + 1e-6, 0, 0, 0}; };
+  hidden.started_anew = [](const Section& at) { return four(0.9 * at[0] + 1e-6, 0.0, 0.0, 0.0); };
   EXPECT_EQ(hidden.run(at(1e-3), 300).revolutions, 0);
 }
 
@@ -276,7 +276,7 @@ TEST(Settling, ExponentsOnACycleAreTheLogarithmsOfItsMultipliers) {
     const auto& sections = settled.rows[0];
     std::size_t period = 1;
     while (std::abs(sections[4 * period] - sections[0]) > 0.0) ++period;
-    SectionState start;
+    motion::SectionState start;
     std::copy_n(sections.end() - 4, 4, start.begin());
     auto solver = solver_of(scene);
     const auto map = solver->section_map(speed_ratio, start, static_cast<int>(period));
@@ -298,7 +298,8 @@ TEST(Settling, TheOrbitOfAPeriodicPointIsItsCycle) {
     const auto orbit = solver->orbit(speed_ratio, {});
     ASSERT_EQ(orbit.sections.size(), 100U);
     for (std::size_t i = 0; i < orbit.sections.size(); ++i)
-      EXPECT_LE(largest_difference(orbit.sections[i], test::section(outcome.rows[0], i)), 1e-12) << speed_ratio;
+      EXPECT_LE(largest_difference(orbit.sections[i], test::section(outcome.rows[0], i)), 1e-12)
+          << speed_ratio;
     EXPECT_EQ(orbit.sections.front(), test::section(outcome.rows[0], 0)) << "the same motion";
   }
 }

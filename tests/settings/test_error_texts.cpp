@@ -324,7 +324,7 @@ TEST(SceneErrors, ExponentsAreRefusedWhereTheMotionHasNoLinearisedFlow) {
       refusal_with(R"("wear": {"rate": 1e-9}, "observables": ["lyapunov"])"),
       "/observables: \"lyapunov\" is not to be had; /wear: the motion under this effect has no linearised "
       "flow here; it is known with /unbalance, /gravity, /side_load, /support, /ring_body, "
-      "/regularised_friction and /stribeck only");
+      "/regularised_friction, /stribeck and /unequal_blades only");
   EXPECT_EQ(
       refusal_with(R"("contact": {"law": "elastic_ring"}, "ring_body": {"mass": 0.0},
                             "observables": ["lyapunov"])"),

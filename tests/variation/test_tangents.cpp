@@ -146,6 +146,22 @@ std::vector<settings::Scene> with_friction_that_depends_on_velocity() {
   return scenes;
 }
 
+TEST(Tangents, OfBladesThatAreNotAlikeAreTheDerivativeOfTheSectionMap) {
+  std::vector<settings::Scene> scenes{tight_rotor(), on_elastic_ring()};
+  scenes.push_back(with_friction_that_depends_on_velocity().front());
+  for (settings::Scene& scene : scenes) {
+    scene.unequal_blades = effects::UnequalBlades{.length_errors = {1e-4, 0.0, -2e-4},
+                                                  .thickness_errors = {0.0, 1e-4, 0.0},
+                                                  .angle_errors = {0.0, 0.02, -0.05}};
+    int compared = 0;
+    const auto solver = solver_of(scene);
+    for (const double speed : {0.31, 0.42, 0.45, 0.62, 0.75}) {
+      if (are_held_against_differences(*solver, speed)) ++compared;
+    }
+    EXPECT_GE(compared, 3);
+  }
+}
+
 TEST(Tangents, UnderFrictionThatDependsOnVelocityAreTheDerivativeOfTheSectionMap) {
   for (const settings::Scene& scene : with_friction_that_depends_on_velocity()) {
     int compared = 0;
