@@ -194,14 +194,15 @@ void describe_kernel(const settings::Scene& scene, Text& text) {
                               scene.clearance() > 0.0 ? "the clearance" : "L/10 (the clearance is 0)",
                               scene.accuracy.tolerance * scale, scene.accuracy.tolerance * scale)
                 : "whatever equal steps give: no error is estimated, `accuracy.tolerance` is not read");
-  text.line("a point ends",
-            fmt::format("after {}{} + {} revolutions, or with a status: {}shaft at the ring",
-                        scene.protocol.transient_revolutions,
-                        settings::settles(scene) ? " (fewer where it has certainly settled on a cycle)" : "",
-                        scene.protocol.sampled_revolutions,
-                        bending ? fmt::format("δ/L above {}, no root of the contact equation, ",
-                                              scene.validity.max_shortening)
-                                : ""));
+  text.line(
+      "a point ends",
+      fmt::format("after {}{} + {} revolutions, or with a status: {}shaft at the ring",
+                  scene.protocol.transient_revolutions,
+                  settings::may_settle(scene) ? " (fewer where it has certainly settled on a cycle)" : "",
+                  scene.protocol.sampled_revolutions,
+                  bending ? fmt::format("δ/L above {}, no root of the contact equation, ",
+                                        scene.validity.max_shortening)
+                          : ""));
 }
 
 // --- grid and file ---

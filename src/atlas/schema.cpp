@@ -107,7 +107,7 @@ Schema schema_of(const settings::Scene& scene) {
     schema.seam = rows_of("seam", NumberType::uint8, {}, "",
                           "what became of the point where two pieces of its line meet");
   }
-  if (settings::settles(scene)) {
+  if (settings::may_settle(scene)) {
     schema.settled =
         rows_of("settled", NumberType::uint16, {}, "",
                 "revolutions, 65535 at most, that were run before the motion had settled on a cycle "

@@ -2,19 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "settings/combinations.hpp"
 #include "settings/effects/list.hpp"
 
 namespace rubatlas::settings {
 
+namespace {
+
+using effects::Effects;
+constexpr EffectSet kLinearised =
+    effect_set<&Effects::unbalance, &Effects::gravity, &Effects::side_load, &Effects::support,
+               &Effects::ring_body, &Effects::regularised_friction, &Effects::stribeck,
+               &Effects::unequal_blades>();
+
+bool follows_paths(Method method) {
+  switch (method) {
+    case Method::hybrid:
+    case Method::collocation:
+    case Method::hybrid_54:
+    case Method::hybrid_32:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
 std::optional<std::string> refusal_of_linearisation(const Scene& scene) {
-  using effects::Effects;
-  constexpr EffectSet kLinearised =
-      effect_set<&Effects::unbalance, &Effects::gravity, &Effects::side_load, &Effects::support,
-                 &Effects::ring_body, &Effects::regularised_friction, &Effects::stribeck,
-                 &Effects::unequal_blades>();
-  const EffectSet others = given(scene) - kLinearised;
-  if (!others.empty()) {
+  for (const Combination& line : combinations_in(scene)) {
+    const EffectSet others = line.consumed - kLinearised;
+    if (others.empty()) continue;
     return fmt::format(
         "{}: the motion under this effect has no linearised flow here; it is known with /unbalance, "
         "/gravity, /side_load, /support, /ring_body, /regularised_friction, /stribeck and /unequal_blades "
@@ -27,18 +47,13 @@ std::optional<std::string> refusal_of_linearisation(const Scene& scene) {
         "here; "
         "allowed: a mass above 0");
   }
-  switch (scene.accuracy.method) {
-    case Method::hybrid:
-    case Method::collocation:
-    case Method::hybrid_54:
-    case Method::hybrid_32:
-      return std::nullopt;
-    default:
-      return std::string(
-          "/accuracy/method: its steps do not follow the path of a contact; a linearised flow needs "
-          "\"collocation\", "
-          "\"hybrid\", \"hybrid_54\" or \"hybrid_32\"");
+  if (!follows_paths(scene.accuracy.method)) {
+    return std::string(
+        "/accuracy/method: its steps do not follow the path of a contact; a linearised flow needs "
+        "\"collocation\", "
+        "\"hybrid\", \"hybrid_54\" or \"hybrid_32\"");
   }
+  return std::nullopt;
 }
 
 std::optional<std::string> refusal_of_shooting(const Scene& scene) {
@@ -55,8 +70,13 @@ std::optional<std::string> refusal_of_shooting(const Scene& scene) {
   return refusal_of_linearisation(scene);
 }
 
-bool settles(const Scene& scene) {
-  return scene.protocol.settle == Settle::newton && !refusal_of_linearisation(scene);
+bool settles(const Scene& line) {
+  return line.protocol.settle == Settle::newton && !refusal_of_linearisation(line);
+}
+bool may_settle(const Scene& scene) {
+  return scene.protocol.settle == Settle::newton && follows_paths(scene.accuracy.method) &&
+         std::ranges::any_of(combinations_in(scene),
+                             [](const Combination& line) { return line.consumed.is_within(kLinearised); });
 }
 
 }  // namespace rubatlas::settings

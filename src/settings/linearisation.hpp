@@ -13,7 +13,10 @@ namespace rubatlas::settings {
 std::optional<std::string> refusal_of_linearisation(const Scene& scene);
 /// The same for periodic orbits by shooting.
 std::optional<std::string> refusal_of_shooting(const Scene& scene);
-/// Transients of the scene end on the cycles that they approach (`protocol.settle`).
-bool settles(const Scene& scene);
+/// The transients of a line, of a scene with the line's values, end on the cycles that they approach
+/// (`protocol.settle`).
+bool settles(const Scene& line);
+/// Those of some line of the scene may.
+bool may_settle(const Scene& scene);
 
 }  // namespace rubatlas::settings

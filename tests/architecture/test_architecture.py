@@ -26,7 +26,7 @@ MAY_INCLUDE = {
     "src/modes": ["blade", "contact", "rotor", "integrate", "collocation", "trajectory", "ending"],
     "src/motion": ["settings", "rotor", "trajectory", "modes", "ending"],
     "src/point": ["settings", "rotor", "trajectory", "variation", "observables", "modes/motion_listener.hpp",
-                  "modes/work_meter.hpp", "motion", "ending"],
+                  "modes/work_meter.hpp", "motion", "ending", "integrate/decompositions.hpp"],
     "src/assembly": ["settings", "plan", "blade", "contact", "rotor", "integrate", "variation", "modes", "motion",
                      "point"],
     "src/compared": ["settings", "contact", "rotor", "integrate", "trajectory", "modes", "motion", "ending", "point",

@@ -243,8 +243,8 @@ TEST(Explain, GivesGridShapesAndBytesOfTheAtlas) {
   EXPECT_TRUE(holds(line_of(text, "points"), " 6  on 2 lines along speed_ratio; sweep up"));
   EXPECT_TRUE(holds(line_of(text, "/poincare"), "1 × 1 × 1 × 2 × 3 × 3 × 4"));
   EXPECT_TRUE(holds(line_of(text, "/spectrum"), "1 × 1 × 1 × 2 × 3 × 37"));
-  // 6 points: status, its detail and restarted 1 byte, settled 2, checksum and failed revolution 4, final state 32,
-  // sections 96, displacement 8, spectrum 296
+  // 6 points: status, its detail and restarted 1 byte, settled 2, checksum and failed revolution 4, final
+  // state 32, sections 96, displacement 8, spectrum 296
   EXPECT_TRUE(holds(line_of(text, "together"), "2.67 kB")) << text;
 }
 

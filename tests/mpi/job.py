@@ -50,7 +50,7 @@ def long_scene(transient_revolutions=400, **changes):
     """The same lines with enough points and revolutions that something can happen in the middle."""
     return scene(grid={"speed_ratio": {"from": 0.2, "to": 0.9, "count": 60}, "damping_ratio": [0.1, 0.15, 0.2]},
                  protocol={"transient_revolutions": transient_revolutions, "sampled_revolutions": 20,
-                           "samples_per_revolution": 32}, **changes)
+                           "samples_per_revolution": 32, "settle": "never"}, **changes)
 
 
 def command(ranks, *arguments):

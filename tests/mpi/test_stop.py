@@ -15,7 +15,7 @@ from job import (ENVIRONMENT, JobTest, OPEN_MPI, PENDING, has_ended, long_scene,
 def endless_scene():
     """Two points of hours each."""
     content = scene(protocol={"transient_revolutions": 100000000, "sampled_revolutions": 1,
-                              "samples_per_revolution": 32},
+                              "samples_per_revolution": 32, "settle": "never"},
                     sweep="independent")
     content["grid"] = {"speed_ratio": [0.3, 0.62]}
     return content

@@ -215,7 +215,8 @@ async function more() {
   running = true;
   const last = before.sections.length - 4;
   const [x, y, vx, vy] = before.sections.subarray(last, last + 4);
-  const wanted = {...before.wanted, x, y, vx, vy, memory: before.orbit.memory, transient_revolutions: 0, settle: 'never'};
+  const wanted = {...before.wanted, x, y, vx, vy, memory: before.orbit.memory, transient_revolutions: 0,
+    settle: 'never'};
   try {
     const answer = await computer.compute(wanted, atlas.scene.spectrum?.max_order ?? 12);
     const sections = new Float64Array(before.sections.length + answer.orbit.sections.length);
