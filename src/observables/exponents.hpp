@@ -80,6 +80,8 @@ class Lyapunov final : public Observable {
 
   void make_orthogonal() {
     const auto factors = integrate::orthogonal_factors(flow_.tangents());
+    // A tangent that has died in a long contact has lost its direction.
+    if ((factors.diagonal.array() == 0.0).any()) return flow_.loses_track();
     growth_ += factors.diagonal.array().abs().log();
     flow_.set_tangents(factors.orthogonal);
   }

@@ -269,7 +269,7 @@ PointOutcome PointSolver::run(double speed_ratio, const motion::PointStart& star
     const auto period = static_cast<int>(begun.cycle.size());
     const bool exponents = std::ranges::count(scene_.observables, "lyapunov") > 0;
     std::optional<Return> turn;
-    if (exponents) turn = return_from(speed_ratio, begun.cycle.front(), period, true, begun.work);
+    if (exponents) turn = return_from(speed_ratio, begun.cycle.front(), period, true, go_on, begun.work);
     recorder_.on_cycle(turn ? turn->jacobian : variation::Tangents{});
     revolutions = std::min(revolutions, period);
   }
@@ -328,7 +328,7 @@ auto PointSolver::transient(double speed_ratio, const motion::PointStart& start,
   if (settles_) {
     settling.emplace(scene_.accuracy.tolerance * scale, scale,
                      [&, speed_ratio](const Section& from, int count, bool derivative) {
-                       return return_from(speed_ratio, from, count, derivative, result.work);
+                       return return_from(speed_ratio, from, count, derivative, go_on, result.work);
                      });
   }
   const auto ended = [&](ending::PointStatus status, int revolution) {
@@ -363,7 +363,8 @@ auto PointSolver::transient(double speed_ratio, const motion::PointStart& start,
 }
 
 std::optional<Return> PointSolver::return_from(double speed_ratio, const Section& from, int revolutions,
-                                               bool derivative, motion::WorkCounts& work) {
+                                               bool derivative, const modes::GoOn& go_on,
+                                               motion::WorkCounts& work) {
   Touches touches;
   std::optional<Mapping> mapping;
   if (derivative) mapping.emplace(tangents_at(speed_ratio), point_of(speed_ratio));
@@ -372,7 +373,7 @@ std::optional<Return> PointSolver::return_from(double speed_ratio, const Section
   Return result;
   ending::PointStatus status = motion->start(start_of(from));
   for (int revolution = 0; status == ending::PointStatus::done && revolution < revolutions; ++revolution) {
-    status = motion->revolution(listener, {}, revolution);
+    status = motion->revolution(listener, go_on, revolution);
     result.sections.push_back(whole_section(*motion));
   }
   work += motion->work();

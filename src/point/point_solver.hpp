@@ -54,7 +54,7 @@ class PointSolver final : public LineSolver {
   [[nodiscard]] std::unique_ptr<motion::PointMotion> motion_of(double speed_ratio,
                                                                const motion::PointStart& start) const;
   std::optional<Return> return_from(double speed_ratio, const Section& from, int revolutions, bool derivative,
-                                    motion::WorkCounts& work);
+                                    const modes::GoOn& go_on, motion::WorkCounts& work);
   AfterTransient transient(double speed_ratio, const motion::PointStart& start, const modes::GoOn& go_on);
   /// So many sampled revolutions.
   Ending sampled(motion::PointMotion& motion, int revolutions, modes::MotionListener& listener,

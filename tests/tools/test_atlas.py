@@ -29,6 +29,13 @@ class AtlasQuestions(WithFolder):
         np.testing.assert_array_equal(np.isnan(self.atlas["poincare"]).any(axis=(2, 3)), self.status != 1)
         self.assertEqual(len(self.atlas), (self.status == 1).sum())
 
+    def test_after_how_many_revolutions_points_had_settled_is_asked_like_any_quantity(self):
+        with h5py.File(TINY / "atlas.h5") as file:
+            settled = file["settled"][0, 0, 0]
+        self.assertTrue((settled > 0).any() and (settled[self.status == 1] == 0).any())
+        np.testing.assert_array_equal(self.atlas["settled"], np.where(self.status == 1, settled, np.nan))
+        self.assertEqual(len(self.atlas.where("settled > 0")), (settled > 0).sum())
+
     def test_maps_are_joined_and_units_are_those_of_the_file(self):
         np.testing.assert_array_equal(self.atlas["class"] == "unresolved", (self.motion == 254) & (self.status == 1))
         np.testing.assert_array_equal(self.atlas["margin"], np.where(self.status == 1, self.margin, np.nan))

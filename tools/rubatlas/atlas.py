@@ -48,7 +48,7 @@ def _joined(atlas: AtlasFile, maps: AtlasFile | None) -> dict[str, xarray.Variab
     """Everything with one number per point."""
     shape = atlas.dataset("status").shape
     found = {"status": _quantity(atlas, atlas.dataset("status"), atlas.axes)}
-    for name in atlas.scene.get("observables", []):
+    for name in (*(["settled"] if "settled" in atlas else []), *atlas.scene.get("observables", [])):
         dataset = atlas.dataset(name)
         if dataset.shape == shape:
             found[name] = _quantity(atlas, dataset, atlas.axes)

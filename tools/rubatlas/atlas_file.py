@@ -124,8 +124,8 @@ def reading(path, what):
 class _Examination:
     """Compares the datasets of a file that lies on the axes of an atlas with these axes, once."""
 
-    KINDS = {"status": "u", "restarted": "u", "failed_revolution": "i", "class": "u", "class_blade_passing": "u",
-             "attractor": "i", "grazing_side": "u"}
+    KINDS = {"status": "u", "restarted": "u", "settled": "u", "failed_revolution": "i", "class": "u",
+             "class_blade_passing": "u", "attractor": "i", "grazing_side": "u"}
 
     def __init__(self, path, file):
         self.path, self.file = path, file
@@ -203,7 +203,8 @@ class _Examination:
     def rows(self, axes, scene):
         names = [name for name in ("class", "class_blade_passing", "attractor") if name in self.file]
         if "status" in self.file:
-            names = ["status", "restarted", "failed_revolution", "final_state", *scene.get("observables", [])]
+            names = ["status", "restarted", *(["settled"] if "settled" in self.file else []), "failed_revolution",
+                     "final_state", *scene.get("observables", [])]
         for name in names:
             self.numbers(name, axes)
         if "status" not in self.file:
