@@ -46,6 +46,8 @@ ending::PointStatus Motion::start(const rotor::ShaftAndRing& state, double time,
   undecided_ = true;
   phase_ = nullptr;
   contacts_.clear();
+  // Who looks for an orbit may ask for a place that is none.
+  if (!state.allFinite()) return ends(ending::StatusDetail::beyond_precision);
   for (int k = 0; k < machine_.blades.count(); ++k) {
     const modes::TipPlace at = place(k);
     const bool touches = k == touching || at.pose.gap > 0.0;

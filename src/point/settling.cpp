@@ -74,7 +74,8 @@ auto Settling::candidate(std::size_t period) const -> std::optional<Candidate> {
     events.insert(events.end(), back(i).events.begin(), back(i).events.end());
   const auto turn_from = [&](const Section& from, bool derivative) {
     auto turn = return_from_(from, revolutions, derivative);
-    if (turn && turn->events != events) turn.reset();
+    const bool finite = !turn || (turn->sections.back().allFinite() && turn->jacobian.allFinite());
+    if (!finite || (turn && turn->events != events)) turn.reset();
     return turn;
   };
 
@@ -91,7 +92,9 @@ auto Settling::candidate(std::size_t period) const -> std::optional<Candidate> {
     const double before = std::exchange(step, correction.lpNorm<Eigen::Infinity>());
     if (i > 0 && step < 0.1 * error_) break;
     if (i > 0) contraction = std::max(contraction, step / before);
-    if (!(step < scale_) || contraction > kContraction || i == kMostSteps) return std::nullopt;
+    // A largest element is not seen where others are no numbers: J may have a multiplier 1.
+    if (!correction.allFinite() || step > scale_ || contraction > kContraction || i == kMostSteps)
+      return std::nullopt;
     at += correction;
     turn = turn_from(at, false);
     if (!turn) return std::nullopt;

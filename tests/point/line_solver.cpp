@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "../support/point.hpp"
@@ -194,6 +195,18 @@ TEST(LineSolver, TheLastBladePassingOfARevolutionIsItsSection) {
     for (std::size_t component = 0; component < 4; ++component) {
       EXPECT_EQ(outcome.rows[1][4 * (3 * i + 2) + component], outcome.rows[0][4 * i + component]);
     }
+  }
+}
+
+TEST(LineSolver, AMotionThatBeginsAtNoPlaceEndsAtOnceUnderEveryLaw) {
+  settings::Scene regularised = default_scene();
+  regularised.regularised_friction = effects::RegularisedFriction{.velocity = 0.1};
+  settings::Scene rigid = default_scene();
+  rigid.contact.law = settings::ContactLaw::elastic_ring;
+  for (const settings::Scene& scene : {default_scene(), regularised, rigid}) {
+    const auto outcome = run(scene, 0.62, {0.0, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0});
+    EXPECT_EQ(outcome.status, ending::PointStatus::integrator_failed);
+    EXPECT_EQ(outcome.failed_revolution, 0);
   }
 }
 
