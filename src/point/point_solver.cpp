@@ -351,7 +351,7 @@ auto PointSolver::transient(double speed_ratio, const motion::PointStart& start,
     if (!cycle) continue;
     // Every section keeps its place in the cycle.
     const auto left = static_cast<std::size_t>(revolutions - revolution - 1) % cycle->size();
-    std::ranges::rotate(*cycle, cycle->begin() + static_cast<std::ptrdiff_t>(left));
+    std::rotate(cycle->begin(), cycle->begin() + static_cast<std::ptrdiff_t>(left), cycle->end());
     result.settled = revolution + 1;
     result.work += result.motion->work();
     result.motion = motion_of(speed_ratio, start_of(cycle->front()));

@@ -134,6 +134,9 @@ class Outputs(FileTest):
             self.assertTrue(self.execute(None, *arguments).stdout.startswith("red [31m bell  next  line  end\n"))
 
 
+SETTLES_NEVER = {**scene()["protocol"], "settle": "never"}
+
+
 class Damage(FileTest):
     def setUp(self):
         super().setUp()
@@ -253,11 +256,12 @@ class Damage(FileTest):
                             "does not have its checksum")
 
     def test_an_atlas_of_the_version_before_goes_on_by_the_method_that_it_names(self):
-        by_hybrid = scene(sweep="up", accuracy={"method": "hybrid"})
+        by_hybrid = scene(sweep="up", accuracy={"method": "hybrid"}, protocol=SETTLES_NEVER)
         whole = self.fill(None, by_hybrid, name="whole.h5")
         atlas = self.fill(None, by_hybrid, name="before.h5")
         with h5py.File(atlas, "r+") as file:
             file.attrs["schema_version"] = "2"
+            self.assertNotIn("settled", file)
             file["status"][0, 0, 0, :, 6:] = 0
         seal(atlas)
         self.fill(None, by_hybrid, atlas.name, "--resume")
@@ -269,6 +273,10 @@ class Damage(FileTest):
             file.attrs["schema_version"] = "1"
             del file["row_checksum"], file.attrs["header_checksum"], file.attrs["kind"]
         self.damaged(change)
+        _, _, orbit, _ = self.readers("bad.h5")
+        self.assert_refused(self.execute(None, *orbit), 2,
+                            '/protocol/settle is "never" in the first and "newton" in the second')
+        (self.directory / "scene.json").write_text(json.dumps(scene(sweep="up", protocol=SETTLES_NEVER)))
         resume, analyse, orbit, verify = (self.execute(None, *arguments) for arguments in self.readers("bad.h5"))
         self.assertEqual((analyse.returncode, orbit.returncode), (0, 0), analyse.stderr + orbit.stderr)
         self.assert_one_sentence(resume, "bad.h5")
