@@ -6,6 +6,7 @@
 #include <array>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <limits>
 
 #include "directed_rotors.hpp"
 
@@ -127,6 +128,14 @@ TEST(DirectedElastica, BladeUnderTheTrueNormalIsInEquilibriumAndTouchesTheRing) 
     }
   }
   EXPECT_GT(against, 30);
+}
+
+TEST(DirectedElastica, AtNoPlaceABladeHasNoEquilibriumAndTheSearchEnds) {
+  Pose nowhere{};
+  nowhere.gap = nowhere.tangential = nowhere.radial = std::numeric_limits<double>::quiet_NaN();
+  const DirectedElastica law(LoadDirection::axial, {0.1, 0.11}, {0.1, 0.001, 0.17},
+                             Friction::regularised(0.1, 0.05));
+  for (const double side : {-1.0, 1.0}) EXPECT_FALSE(law.solve(nowhere, 1.0, 0.5, side));
 }
 
 TEST(DirectedElastica, VelocityDependentFrictionIsThatOfTheSlipWhereTheDeformedTipStands) {
