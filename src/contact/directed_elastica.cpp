@@ -105,7 +105,7 @@ class DirectedElastica::Walk {
 
   /// Finds the angles between which h falls through zero for the first time; false where h does so nowhere.
   bool find() {
-    constexpr double kLargestStep = 0.1;  // [rad]
+    constexpr double kLargestStep = 0.1;       // [rad]
     if (!std::isfinite(start_)) return false;  // a walk from no place would not end
     const bool approaching = side_ * at_.tangential >= 0.0;
     const double last = 2.0 * std::asin(kLargestModulus);
