@@ -55,10 +55,13 @@ std::vector<contact::DirectedElastica> directed_elastica_of_blades(const LineReq
   const auto direction = request.combination.consumed.contains<&Effects::load_direction>()
                              ? contact::LoadDirection::normal
                              : contact::LoadDirection::axial;
+  const contact::Friction friction = friction_of(request);
+  const bool has_curve =
+      direction == contact::LoadDirection::axial && friction.has_slip_state() && friction.friction > 0.0;
   std::vector<contact::DirectedElastica> laws;
   for (const settings::Blades& blade : variation::each_blade(line)) {
     laws.emplace_back(direction, variation::geometry_of(line.ring, blade), variation::blade_of(blade),
-                      friction_of(request));
+                      friction, has_curve ? curve_of(request, blade) : nullptr);
   }
   return laws;
 }

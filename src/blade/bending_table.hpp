@@ -31,7 +31,8 @@ class BendingTable {
   [[nodiscard]] const Piece* pieces() const { return pieces_.data(); }
   [[nodiscard]] int last_piece() const { return static_cast<int>(pieces_.size()) - 1; }
 
-  [[nodiscard]] double bending(double p) const {  ///< u
+  [[nodiscard]] double scale() const { return scale_; }  ///< β
+  [[nodiscard]] double bending(double p) const {         ///< u
     return scale_ > 0.0 ? scale_ * std::sinh(p) : p * p;
   }
   [[nodiscard]] double bending_slope(double p) const {  ///< du/dp

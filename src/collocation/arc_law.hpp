@@ -76,8 +76,8 @@ class ArcLaw {
   /// How often equilibria have been evaluated to find those.
   [[nodiscard]] virtual std::uint64_t evaluations() const { return 0; }
 
-  /// This contact leads. Gives how far its blade is bent.
-  virtual Bending lead(const Touch& touch) = 0;
+  /// This contact leads, of all or `alone`. Gives how far its blade is bent.
+  virtual Bending lead(const Touch& touch, bool alone) = 0;
   /// ±1: to which side a blade is bent.
   [[nodiscard]] virtual double side(const Touch& touch) const = 0;
   /// A contact where the next interval starts, if it is new there, or its leader is.

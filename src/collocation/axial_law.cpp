@@ -43,6 +43,7 @@ Blade AxialLaw::numbers(int blade) const {
           .closing = law.geometry().closing(),
           .length = law.length(),
           .load_unit = law.load_unit(),
+          .strain_unit = law.strain_unit(),
           .friction = law.curve().friction(),
           .yield_unit = law.yield_unit(),
           .first_shortening = law.first_shortening(),
@@ -75,7 +76,7 @@ std::optional<Touch> AxialLaw::found_anew(const Touch& touch, const contact::Pos
   return found;
 }
 
-Bending AxialLaw::lead(const Touch& touch) {
+Bending AxialLaw::lead(const Touch& touch, bool /*alone*/) {
   leader_ = touch.blade;
   standing_.assign(1, {touch.blade, touch.straight, touch.skims});
   return {.argument = touch.straight ? kStraight : table(touch.blade).argument(touch.bending)};

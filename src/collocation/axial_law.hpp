@@ -47,7 +47,7 @@ class AxialLaw : public ArcLaw {
                                           double speed) const override;
   [[nodiscard]] std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
                                                 double speed) const override;
-  Bending lead(const Touch& touch) override;
+  Bending lead(const Touch& touch, bool alone) override;
   [[nodiscard]] double side(const Touch& touch) const override { return touch.slip; }
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override;
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,

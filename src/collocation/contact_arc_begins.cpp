@@ -57,7 +57,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
     skim(held, start_);
     touching = held;
   }
-  start_.bending = law_->lead(touching[leader]);
+  start_.bending = law_->lead(touching[leader], touching.size() == 1);
   if (law_->is_rigid() && std::ranges::count(touching, 0.0, &Touch::slip) > 0) {
     held.assign(touching.begin(), touching.end());
     hold(held, start_);

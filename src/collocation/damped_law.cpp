@@ -51,8 +51,8 @@ std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at
   return found;
 }
 
-Bending DampedLaw::lead(const Touch& touch) {
-  Bending bending = AxialLaw::lead(touch);
+Bending DampedLaw::lead(const Touch& touch, bool alone) {
+  Bending bending = AxialLaw::lead(touch, alone);
   bending.yielding = touch.yielding;
   return bending;
 }

@@ -37,7 +37,7 @@ class DampedLaw final : private BladesOfRing, public AxialLaw {
                                                 double speed) const override {
     return open(touch, at, speed);
   }
-  Bending lead(const Touch& touch) override;
+  Bending lead(const Touch& touch, bool alone) override;
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override;
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override;

@@ -1,7 +1,7 @@
 #include "collocation/even_rules.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <vector>
 
@@ -62,11 +62,22 @@ BladeRule blade_rule(double modulus, double tangent) {
   const double quarter = std::sqrt(half_square) / (1.0 + std::sqrt(1.0 - half_square));
   const double square = quarter * quarter;
   const double largest = tangent / (quarter + std::sqrt(square + tangent * tangent));
-  // The nearest singularity that is left, φ' = π + i arcosh(1/|κ|), is at (1 + iq)/(1 − iq) in tan(φ'/4).
-  using Complex = std::complex<double>;
-  const Complex there = Complex(1.0 - square, 2.0 * quarter) / (1.0 + square);
-  const Complex singularity = there / (quarter + std::sqrt(square + there * there));
-  const double axis = (std::abs(singularity - largest) + std::abs(singularity + largest)) / (2.0 * largest);
+  // The nearest singularity that is left, φ' = π + i arcosh(1/|κ|), is at t = (1 + iq)/(1 − iq) in tan(φ'/4),
+  // and at z = t/(q + (q² + t²)^½) in z. Written out: a complex root costs as much as a node of the rule.
+  const double cosine = (1.0 - square) / (1.0 + square);
+  const double sine = 2.0 * quarter / (1.0 + square);
+  const double real = square + (cosine - sine) * (cosine + sine);  // of q² + t²
+  const double imaginary = 2.0 * sine * cosine;
+  const double magnitude = std::sqrt(real * real + imaginary * imaginary);
+  const double root_real = std::sqrt(0.5 * (magnitude + real));
+  const double root_imaginary = std::sqrt(0.5 * std::max(magnitude - real, 0.0));
+  const double below = quarter + root_real;
+  const double per_square = 1.0 / (below * below + root_imaginary * root_imaginary);
+  const double along = (cosine * below + sine * root_imaginary) * per_square;
+  // The sum of its distances from the ends of the integral over [−z, z].
+  const double sum = per_square + largest * largest;  // |t| = 1
+  const double difference = 2.0 * along * largest;
+  const double axis = (std::sqrt(sum - difference) + std::sqrt(sum + difference)) / (2.0 * largest);
   const double ellipse = axis + std::sqrt(axis * axis - 1.0);
   for (const Graded& graded : kRules) {
     if (graded.least_ellipse <= ellipse) return {&graded.rule, quarter};

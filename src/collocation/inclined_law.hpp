@@ -32,8 +32,7 @@ class InclinedLaw final : public ArcLaw {
     for (int k = 0; k < blade_count; ++k) {
       const auto& blade = law.of(k);
       loads_.push_back({.along_normal = blade.direction() == contact::LoadDirection::normal,
-                        .friction = blade.friction(),
-                        .strain_unit = blade.strain_unit()});
+                        .friction = blade.friction()});
     }
   }
 
@@ -46,6 +45,7 @@ class InclinedLaw final : public ArcLaw {
             .closing = law.geometry().closing(),
             .length = law.length(),
             .load_unit = law.load_unit(),
+            .strain_unit = law.strain_unit(),
             .friction = 0.0,
             .yield_unit = 0.0,
             .first_shortening = 0.0,
@@ -84,14 +84,14 @@ class InclinedLaw final : public ArcLaw {
       return std::nullopt;
     return opened;
   }
-  Bending lead(const Touch& touch) override {
+  Bending lead(const Touch& touch, bool alone) override {
     leader_ = touch.blade;
-    const InclinedLoad& load = take(touch);
+    const InclinedLoad& load = take(touch, alone);
     // A blade that an axial load bends the way friction pushes has no fold (MODEL 4.2).
     has_branches_ = load.along_normal || load.rests || load.friction.depends_on_velocity() ||
                     load.side * touch.slip < 0.0;
     const double lean = lean_of(touch.bend);
-    set_knots(load, lean);
+    if (load.table == nullptr) set_knots(load, lean);
     deflection_per_square_ = law_->of(leader_).length() * load.deflection_per_square(lean);
     return {argument_of(touch), lean};
   }
@@ -138,10 +138,13 @@ class InclinedLaw final : public ArcLaw {
     const double slope = load_of(touch.blade).bending_slope(argument_of(touch));
     return {time, bending / slope, lean};
   }
-  [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override { return knots_; }
+  [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override {
+    if (load_of(leader_).table != nullptr) return load_of(leader_).table->knots();
+    return knots_;
+  }
   [[nodiscard]] double deflection_per_square() const override { return deflection_per_square_; }
   FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override {
-    const InclinedLoad& load = take(touch);
+    const InclinedLoad& load = take(touch, false);
     const Start there = start(touch, at, speed);
     const double argument = argument_of(touch);
     FurtherStart result{.blade = touch.blade,
@@ -167,7 +170,9 @@ class InclinedLaw final : public ArcLaw {
   }
   [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
                            Interval& interval) const override {
-    return solver_.solve_inclined(contact, load_of(leader_), closeness, interval);
+    const InclinedLoad& load = load_of(leader_);
+    if (load.table != nullptr) return solve_by_table(contact, load, closeness, interval);
+    return solver_.solve_inclined(contact, load, closeness, interval);
   }
   void bounds(const Contact& contact, const Interval& interval, Bounds& bounds) const override {
     solver_.inclined_bounds(contact, interval, bounds);
@@ -314,12 +319,36 @@ class InclinedLaw final : public ArcLaw {
     return loads_[static_cast<std::size_t>(blade)];
   }
   /// The load of a contact that goes on from there.
-  const InclinedLoad& take(const Touch& touch) {
+  const InclinedLoad& take(const Touch& touch, bool alone) {
     InclinedLoad& load = loads_[static_cast<std::size_t>(touch.blade)];
     load.rests = touch.slip == 0.0;
     load.side = side(touch);
-    load.scale = std::max(2.0 * std::abs(lean_of(touch.bend)), InclinedLoad::kLeastScale);
+    load.table = alone && load.side == touch.slip ? table_of(touch.blade) : nullptr;
+    load.scale = load.table != nullptr
+                     ? load.bending_slope(0.0)
+                     : std::max(2.0 * std::abs(lean_of(touch.bend)), InclinedLoad::kLeastScale);
     return load;
+  }
+  /// Null where it ends before a blade may be shortened so far.
+  [[nodiscard]] const blade::BendingTable* table_of(int blade) const {
+    const blade::ElasticaCurve* const curve = law_->of(blade).curve();
+    if (curve == nullptr) return nullptr;
+    const blade::BendingTable& table = curve->over_asinh();
+    const auto& knots = table.knots();
+    return !knots.empty() && knots.back().shortening > max_shortening_ ? &table : nullptr;
+  }
+  /// As a blade of the paper's law.
+  [[nodiscard]] bool solve_by_table(const Contact& contact, const InclinedLoad& load,
+                                    const Closeness& closeness, Interval& interval) const {
+    Blade blade = *contact.blade;
+    blade.table = load.table;
+    blade.friction = load.friction.friction;
+    Contact axial = contact;
+    axial.blade = &blade;
+    if (!solver_.solve(axial, closeness, interval)) return false;
+    interval.lean.value.fill(std::sin(0.5 * load.table->scale()));
+    interval.chart_left.value.fill(interval.start_chart_left);
+    return true;
   }
   /// p.
   [[nodiscard]] double argument_of(const Touch& touch) const {

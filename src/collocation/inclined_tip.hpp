@@ -287,7 +287,7 @@ class InclinedTip {
     (Number(load_->cone()) - coefficient * coefficient).store(kept.cone_left);
     load_->chart_left(bending, lean).store(kept.chart_left);
     (load * blade_->load_unit / root(coefficient * coefficient + 1.0)).store(kept.normal_force);
-    (bending * (2.0 * load_->strain_unit) * root(larger(load, Number(0.0)))).store(kept.root_strain);
+    (bending * (2.0 * blade_->strain_unit) * root(larger(load, Number(0.0)))).store(kept.root_strain);
   }
 
   /// ∂e/∂v.

@@ -63,6 +63,7 @@ struct Blade {
   double closing;                    ///< (rh + L)² − R² [m²]
   double length;                     ///< L
   double load_unit;                  ///< EI/L² [N]
+  double strain_unit;                ///< h/(2L) [-]
   double friction;                   ///< μ [-]
   double yield_unit;        ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not
   double first_shortening;  ///< δ/Δ of a blade that is hardly bent [-]
@@ -111,11 +112,11 @@ struct TipInTime : TipStart {
                           ///< of a rigid blade; λ, and `kShareBeyond`, of a tip that skims
   AtNodes slip_velocity;  ///< v of the tip (MODEL 4.4) [m per unit τ]
   AtNodes normal_force;   ///< F [N]
-  AtNodes root_strain;    ///< bending strain at the root [-]; but for a bent blade under an axial load
-  // Of a blade under an inclined load (`inclined_load.hpp`).
-  AtNodes lean;        ///< l: a first guess, then the solution
-  AtNodes shortening;  ///< δ/L
-  AtNodes chart_left;  ///< `InclinedLoad::chart_left`
+  // Of a blade under an inclined load (`inclined_load.hpp`), also of one that has a curve.
+  AtNodes root_strain;  ///< bending strain at the root [-]
+  AtNodes lean;         ///< l: a first guess, then the solution
+  AtNodes shortening;   ///< δ/L
+  AtNodes chart_left;   ///< `InclinedLoad::chart_left`
   /// What is left of the guard that ends the mode of a blade. Of a tip at rest `InclinedLoad::cone` less c²;
   /// of a rigid one (μs² − c²) F²/(m ωn²)² [m² per unit τ⁴]. Of a blade that stands straight the load that
   /// would bend it, that of Euler of a column, less F [N]. Of a tip that skims 1 − λ.

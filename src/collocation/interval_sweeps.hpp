@@ -27,7 +27,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Number = Lanes<kWidth>;
 
   Sweeps(const Contact& contact, const Closeness& closeness, Interval& interval)
-      : Base(contact, closeness, interval), further_(interval.further.size()) {
+      : Base(contact, closeness, interval), leans_(contact.leans), further_(interval.further.size()) {
     lead_.blade = contact.blade;
     lead_.slip = contact.slip;
     lead_.straight = contact.straight;
@@ -333,6 +333,15 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     return tip.argument_slope * (-0.5 * (1.0 - short_of_fold)) +
            tip.place.across * tip.slope.deflection * short_of_fold;
   }
+  /// With the root's moment, F Δ + μF (L − δ).
+  static void store_bend(const Tip& tip, TipInTime& stored) {
+    const Blade& blade = *tip.blade;
+    const Number shortening = tip.bent.along * (1.0 / blade.length);
+    const Number lever =
+        tip.bent.across * (tip.slip / blade.length) + (Number(1.0) - shortening) * blade.friction;
+    shortening.store(stored.shortening);
+    (tip.load * lever * (blade.strain_unit / blade.load_unit)).store(stored.root_strain);
+  }
   void store(const Tip& tip, const Direction& er, TipInTime& stored) const {
     const Number gap = straight_tip(stored, *tip.blade, er).gap;
     gap.store(stored.gap);
@@ -348,6 +357,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     }
     slip_velocity_of(tip, er).store(stored.slip_velocity);
     (skims(tip) ? tip.load * share_ : tip.load).store(stored.normal_force);
+    if (leans_) store_bend(tip, stored);
     if (is_damped(*tip.blade)) tip.yielding.store(stored.yielding);
   }
   void store() const {
@@ -391,6 +401,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::time_rate_;
   using Base::turn_on;
 
+  bool leans_;
   Tip lead_;
   std::vector<FurtherTip> further_;
   Number share_;         ///< λ of a tip that skims

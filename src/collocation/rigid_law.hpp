@@ -33,6 +33,7 @@ class RigidLaw final : public ArcLaw {
             .closing = law.geometry().closing(),
             .length = 0.0,
             .load_unit = 0.0,
+            .strain_unit = 0.0,
             .friction = 0.0,
             .yield_unit = 0.0,
             .first_shortening = 0.0,
@@ -68,7 +69,7 @@ class RigidLaw final : public ArcLaw {
                                      double speed) const override {
     return !ends_at_ring() && !(force(touch, at, speed).normal > 0.0);
   }
-  Bending lead(const Touch& /*touch*/) override { return {kArgument}; }
+  Bending lead(const Touch& /*touch*/, bool /*alone*/) override { return {kArgument}; }
   [[nodiscard]] double side(const Touch& touch) const override { return touch.slip; }
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override {
     const contact::TipForce there = force(touch, at, speed);

@@ -25,8 +25,11 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <utility>
 
+#include "blade/elastica_curve.hpp"
 #include "blade/inclined_elastica.hpp"
 #include "contact/elastica_contact.hpp"
 #include "contact/friction_law.hpp"
@@ -40,13 +43,16 @@ class DirectedElastica {
  public:
   using Blade = ElasticaContact::Blade;
 
-  DirectedElastica(LoadDirection direction, Geometry geometry, Blade blade, const Friction& friction)
+  /// `curve`: of this friction under an axial load, where that is the load; null: not at hand.
+  DirectedElastica(LoadDirection direction, Geometry geometry, Blade blade, const Friction& friction,
+                   std::shared_ptr<const blade::ElasticaCurve> curve = nullptr)
       : direction_(direction),
         geometry_(geometry),
         length_(blade.length),
         load_unit_(blade.bending_stiffness / (blade.length * blade.length)),
         strain_unit_(0.5 * blade.thickness / blade.length),
-        friction_(friction) {}
+        friction_(friction),
+        curve_(std::move(curve)) {}
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
   /// The law of one blade: the same for all.
@@ -57,6 +63,7 @@ class DirectedElastica {
   [[nodiscard]] double length() const { return length_; }            ///< L [m]
   [[nodiscard]] double load_unit() const { return load_unit_; }      ///< EI / L² [N]
   [[nodiscard]] double strain_unit() const { return strain_unit_; }  ///< h / (2 L) [-]
+  [[nodiscard]] const blade::ElasticaCurve* curve() const { return curve_.get(); }
   /// How often equilibria have been evaluated.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
   /// The same blade, shorter at its tip by `lost` [m].
@@ -64,7 +71,8 @@ class DirectedElastica {
     return {direction_,
             {geometry_.reach - lost, geometry_.ring_radius},
             {length_ - lost, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_},
-            friction_};
+            friction_,
+            curve_};
   }
 
   /// The same blade under another friction law.
@@ -282,6 +290,7 @@ class DirectedElastica {
   double load_unit_;    ///< EI / L² [N]
   double strain_unit_;  ///< h / (2 L) [-]
   Friction friction_;
+  std::shared_ptr<const blade::ElasticaCurve> curve_;
   mutable std::uint64_t evaluations_ = 0;  ///< counts work; no result depends on it
 };
 

@@ -36,7 +36,8 @@ def cost_of(program, path, directory):
     scene = json.loads(path.read_text())
     scene["observables"] = ["poincare", "max_displacement", "touchdowns_per_revolution"]
     whole = {**scene, "grid": {"speed_ratio": {"from": 0.07, "to": 0.93, "count": SPEEDS}},
-             "protocol": {"transient_revolutions": REVOLUTIONS // 2, "sampled_revolutions": REVOLUTIONS // 2}}
+             "protocol": {"transient_revolutions": REVOLUTIONS // 2, "sampled_revolutions": REVOLUTIONS // 2,
+                          "settle": "never"}}
     start = {**scene, "grid": {"speed_ratio": [0.07]},
              "protocol": {"transient_revolutions": 1, "sampled_revolutions": 1}}
     starting = min(seconds(program, start, directory) for _ in range(RUNS))

@@ -253,6 +253,7 @@ TEST(ContactArc, HasTheSameBitsOnEveryProcessor) {
                       .closing = -0.0021,
                       .length = 0.1,
                       .load_unit = 206e9 * 0.01 * thickness * thickness * thickness / 12.0 / 0.01,
+                      .strain_unit = 0.5 * thickness / 0.1,
                       .friction = 0.1,
                       .yield_unit = full ? 1e-4 : 0.0,
                       .first_shortening = full ? 0.01 : 0.0,

@@ -198,7 +198,7 @@ TEST(InclinedContacts, HaveTheSameBitsOnEveryProcessor) {
   blade.load_unit = 206e9 * 0.01 * thickness * thickness * thickness / 12.0 / 0.01;
   const collocation::Contact contact{&machine, &blade, 1.0, true};
   InclinedLoad load{true, contact::Friction::stribeck(0.3, 0.1, 0.03, 0.002)};
-  load.strain_unit = 0.005;
+  blade.strain_unit = 0.005;
   Interval first = interval_at_ring(machine.misalignment);
   first.start_angular_speed = machine.speed_ratio;
   const double x = first.shaft.start[0];

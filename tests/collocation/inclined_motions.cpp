@@ -62,11 +62,15 @@ KickedRotor kicked_rotor(std::mt19937_64& generator, contact::LoadDirection dire
   const double speed = between(0.05, 1.0);
   const double damping = std::pow(10.0, between(-2.5, -0.3));
   const int count = fewest + static_cast<int>(between(0.0, 4.0));
+  const contact::Friction of_tips = make_friction(friction);
+  const auto curve = direction == contact::LoadDirection::axial && of_tips.has_slip_state()
+                         ? std::make_shared<const blade::ElasticaCurve>(friction)
+                         : nullptr;
   std::vector<contact::DirectedElastica> laws;
   for (int k = 0; k < count; ++k) {
     const double length = 0.1 + between(-1e-4, 1e-4);
     laws.emplace_back(direction, contact::Geometry{length, 0.11},
-                      contact::ElasticaContact::Blade{length, thickness, stiffness}, make_friction(friction));
+                      contact::ElasticaContact::Blade{length, thickness, stiffness}, of_tips, curve);
   }
   const double moment = std::pow(10.0, between(-5.0, -3.0));
   const double ripple = between(0.0, 0.05);
