@@ -82,8 +82,8 @@ auto Settling::candidate(std::size_t period) const -> std::optional<Candidate> {
   auto turn = turn_from(start, true);
   // A motion that starts anew from the section goes where the one that came from there has gone.
   if (!turn || distance(turn->sections.back(), back(0).section) > error_) return std::nullopt;
-  Candidate result{{start}, turn->jacobian, turn->nearest_grazing, count_};
-  Section& at = result.sections.front();
+  Candidate result{{}, turn->jacobian, turn->nearest_grazing, count_};
+  Section at = start;
   const Eigen::MatrixXd closing = Eigen::MatrixXd::Identity(start.size(), start.size()) - result.jacobian;
   double step = 0.0;
   double contraction = 0.0;
@@ -99,6 +99,7 @@ auto Settling::candidate(std::size_t period) const -> std::optional<Candidate> {
     turn = turn_from(at, false);
     if (!turn) return std::nullopt;
   }
+  result.sections.push_back(at);
   result.sections.insert(result.sections.end(), turn->sections.begin(), turn->sections.end() - 1);
 
   const auto largest_multiplier = [&] { return largest(integrate::eigen_modes(result.jacobian).values); };

@@ -49,11 +49,13 @@ class MapMotion {
     std::vector<Section> cycle;
     Section last;  ///< section that was run to
     int revolutions_of_searches = 0;
+    std::vector<Section> derivatives;  ///< from where they were taken
   };
   [[nodiscard]] Settled run(Section from, int revolutions) const {
     Settled result;
     Settling settling(kError, 1.0, [&](const Section& start, int count, bool derivative) {
       result.revolutions_of_searches += count;
+      if (derivative) result.derivatives.push_back(start);
       return std::optional(turn(start, count, derivative));
     });
     result.last = from;
@@ -134,6 +136,16 @@ TEST(Settling, ACycleOfTwoEndsInBothItsSectionsInTheirOrder) {
   EXPECT_NEAR(std::max(settled.cycle[0][0], settled.cycle[1][0]), high, 0.1 * kError);
   EXPECT_NEAR(std::min(settled.cycle[0][0], settled.cycle[1][0]), low, 0.1 * kError);
   EXPECT_EQ(settled.last[0] > 0.5 * (low + high), settled.cycle[0][0] > 0.5 * (low + high));
+}
+
+TEST(Settling, WhereAMultiplierIsInDoubtItsDerivativeIsTakenOnTheCycle) {
+  // Of x -> −1.02 x + x³ from ±sqrt(0.02) on: 0.96².
+  const MapMotion motion = along_one([](double x) { return x * x * x - 1.02 * x; });
+  const auto settled = motion.run(at(0.15), 2000);
+  ASSERT_EQ(settled.cycle.size(), 2);
+  ASSERT_GE(settled.derivatives.size(), 2);
+  EXPECT_NEAR(std::abs(settled.derivatives.back()[0]), std::sqrt(0.02), kError);
+  EXPECT_TRUE(settled.derivatives.back().tail(3).isZero(kError));
 }
 
 TEST(Settling, AFoldThatHasJustVanishedLeavesNoCycleToEndOn) {
