@@ -1,18 +1,23 @@
 #!/usr/bin/python3
 """What the pieces of lines change: each scene swept in pieces and from end to end, and both atlases compared.
 
-    ./jobs/pieces.py [--ranks N] [--thin K] [--points P] [--lead-in L] [--keep DIRECTORY] [SCENE.json ...]
+    ./jobs/pieces.py [--ranks N] [--thin K] [--points P] [--lead-in L] [--random N] [--keep DIRECTORY] [SCENE.json ...]
 
-Without scenes it takes all of this folder whose lines have more than one piece. --thin K keeps every K-th value of
-each axis but the speed ratio. Prints one row of a table for each scene: the share of points whose class differs; the
-share of points that are periodic from end to end, and have another class or maximum displacement in pieces; the share
-of points that were replaced at seams; and the work (right-hand sides and evaluations of the gap) of pieces over that of
-whole lines.
+Without scenes it takes all of this folder whose lines have more than one piece. --thin K keeves every K-th value of
+each axis but the speed ratio. --random N adds N random rotors, swept up and down. Beside each comparison stands one of
+two sweeps from end to end, of which one has a tolerance that is larger by 1 %: behind an aperiodic stretch the last
+digits choose the motion, whoever sweeps.
+
+Prints one row of a table for each scene: points; those that are periodic from end to end; of these, those that have
+another class or maximum displacement in the control, and in pieces, each time followed by those among them that a chain
+of periodic points joins to a seam at which nothing had moved yet; the share of points that were replaced at seams; and
+the work (right-hand sides and evaluations of the gap) of pieces over that of whole lines.
 """
 import argparse
 import json
 import os
 import pathlib
+import random
 import subprocess
 import tempfile
 
@@ -22,7 +27,8 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = os.environ.get("RUBATLAS_PROGRAM", ROOT / "build/rubatlas")
 LONGEST_PERIOD, REPAIRED = 16, 2
-LONGER_THAN_ANY_LINE = 1_000_000
+WHOLE = {"points": 1_000_000}
+SLIGHTLY_LARGER = 1.01
 
 
 def thinned(scene, every):
@@ -39,58 +45,117 @@ def speeds(scene):
     return axis["count"] if isinstance(axis, dict) else len(axis)
 
 
-def sweep(scene, pieces, name, directory, ranks):
-    """Atlas, classes and work of a scene in these pieces."""
-    path, atlas, maps = (directory / f"{name}{end}" for end in (".json", ".h5", "_maps.h5"))
-    path.write_text(json.dumps({**scene, "pieces": pieces}))
-    launcher = ["mpirun", "-n", str(ranks), "--oversubscribe", "--bind-to", "none"] if ranks > 1 else []
-    subprocess.run([*launcher, PROGRAM, "run", path, "-o", atlas, "--resume", "--progress", "off"], check=False)
-    subprocess.run([PROGRAM, "analyse", atlas, "-o", maps, "--overwrite"], check=True, stdout=subprocess.DEVNULL)
-    runs = json.loads(pathlib.Path(f"{atlas}.run.json").read_text())["runs"]
-    with h5py.File(atlas, "r") as file, h5py.File(maps, "r") as classes:
-        return (file["max_displacement"][...], file["seam"][...], classes["class"][...],
-                sum(run["right_hand_sides"] + run["gap_evaluations"] for run in runs))
+def random_scene(number):
+    """A rotor whose lines have hysteresis, most of them."""
+    chance = random.Random(number)
+    law = chance.choice(["elastica", "elastic_ring"])
+    scene = {"contact": {"law": law, "friction": chance.uniform(0.05, 0.35)},
+             "rotor": {"damping_ratio": 10 ** chance.uniform(-1.5, -0.7)},
+             "blades": {"count": chance.choice([1, 2, 3, 3, 3, 4, 5])}, "sweep": "both",
+             "grid": {"speed_ratio": {"from": chance.uniform(0.05, 0.2), "to": chance.uniform(0.7, 0.95),
+                                      "count": 400}}}
+    if chance.random() < 0.5:
+        scene["unbalance"] = {"moment": 10 ** chance.uniform(-6, -3.5)}
+    return scene
 
 
-def row(path, options, directory):
-    scene = json.loads(path.read_text())
+class Sweep:
+    """What is compared of an atlas, as lines of points in the order of their sweep."""
+
+    def __init__(self, scene, name, options, directory):
+        path, atlas, maps = (directory / f"{name}{end}" for end in (".json", ".h5", "_maps.h5"))
+        path.write_text(json.dumps(scene))
+        ranks = options.ranks
+        launcher = ["mpirun", "-n", str(ranks), "--oversubscribe", "--bind-to", "none"] if ranks > 1 else []
+        subprocess.run([*launcher, PROGRAM, "run", path, "-o", atlas, "--resume", "--progress", "off"], check=False)
+        subprocess.run([PROGRAM, "analyse", atlas, "-o", maps, "--overwrite"], check=True, stdout=subprocess.DEVNULL)
+        runs = json.loads(pathlib.Path(f"{atlas}.run.json").read_text())["runs"]
+        self.work = sum(run["right_hand_sides"] + run["gap_evaluations"] for run in runs)
+        with h5py.File(atlas, "r") as file, h5py.File(maps, "r") as classes:
+            lines = [self.lines(array, file) for array in (file["max_displacement"], classes["class"])]
+            self.seam = self.lines(file["seam"], file) if "seam" in file else None
+        self.displacement, self.motion = lines
+        self.periodic = (self.motion >= 1) & (self.motion <= LONGEST_PERIOD)
+
+    @staticmethod
+    def lines(dataset, file):
+        axes = [scale.keys()[0] for scale in file["max_displacement"].dims]
+        values = dataset[...]
+        if scale := "direction" in axes:
+            values = np.moveaxis(values, axes.index("direction"), 0)
+        values = values.reshape(*values.shape[:1] if scale else (1,), -1, len(file["speed_ratio"]))
+        if scale:
+            values[file["direction"][...] < 0] = values[file["direction"][...] < 0, :, ::-1].copy()
+        elif json.loads(file["scene_resolved"][()])["sweep"] == "down":
+            values = values[..., ::-1]
+        return values.reshape(-1, values.shape[-1])
+
+    def moved(self, other):
+        """Points that are periodic here, and not the same in another sweep."""
+        apart = np.abs(self.displacement - other.displacement) > 1e-6 * self.displacement
+        return self.periodic & ((self.motion != other.motion) | apart)
+
+
+def joined(periodic, moved, seams):
+    """Which points periodic ones join to a seam, before which the motion was the same."""
+    result = np.zeros_like(moved)
+    for line, line_periodic in enumerate(periodic):
+        for seam in seams:
+            if line_periodic[seam - 1] and not moved[line, seam - 1]:
+                ends = np.flatnonzero(~line_periodic[seam:])
+                result[line, seam:seam + (ends[0] if ends.size else line_periodic.size)] = True
+    return result
+
+
+def row(name, scene, options, directory):
     wears = scene.get("wear", {}).get("carries_over", False)
     if scene.get("sweep") == "independent" or wears or speeds(scene) <= options.points:
         return None
-    scene = thinned({**scene, "observables": ["poincare", "max_displacement"]}, options.thin)
-    whole, _, class_of_whole, work_of_whole = sweep(scene, {"points": LONGER_THAN_ANY_LINE}, f"{path.stem}_whole",
-                                                    directory, options.ranks)
-    cut, seam, class_of_cut, work = sweep(scene, {"points": options.points, "lead_in": options.lead_in},
-                                          f"{path.stem}_pieces", directory, options.ranks)
-    periodic = (class_of_whole >= 1) & (class_of_whole <= LONGEST_PERIOD)
-    other_class = class_of_cut != class_of_whole
-    moved = periodic & (other_class | (np.abs(cut - whole) > 1e-6 * whole))
+    scene = {**scene, "observables": ["poincare", "max_displacement"], "pieces": WHOLE}
+    tolerance = scene.get("accuracy", {}).get("tolerance", 1e-9)
+    control = {**scene, "accuracy": {**scene.get("accuracy", {}), "tolerance": SLIGHTLY_LARGER * tolerance}}
+    whole = Sweep(scene, f"{name}_whole", options, directory)
+    other = Sweep(control, f"{name}_control", options, directory)
+    scene["pieces"] = {"points": options.points, "lead_in": options.lead_in}
+    cut = Sweep(scene, f"{name}_pieces", options, directory)
+    seams = range(options.points, speeds(scene), options.points)
+    numbers = [whole.motion.size, whole.periodic.sum()]
+    for moved in (whole.moved(other), whole.moved(cut)):
+        numbers += [moved.sum(), (moved & joined(whole.periodic, moved, seams)).sum()]
+    return np.array([*numbers, (cut.seam == REPAIRED).sum(), whole.work, cut.work])
 
-    def share(points, of):
-        return f"{np.count_nonzero(points)} ({100 * np.count_nonzero(points) / max(of, 1):.2f} %)"
 
-    return (f"| `{path.stem}` | {whole.size} | {share(other_class, whole.size)} | "
-            f"{share(moved, np.count_nonzero(periodic))} | {share(seam == REPAIRED, whole.size)} | "
-            f"{100 * (work / work_of_whole - 1):+.1f} % |")
+def shown(name, numbers):
+    points, periodic, by_control, joined_there, moved, joined_here, replaced, work, work_of_pieces = numbers
+    return (f"| {name} | {points} | {periodic} | {by_control} | {joined_there} | {moved} | {joined_here} | "
+            f"{100 * replaced / points:.2f} % | {100 * (work_of_pieces / work - 1):+.1f} % |")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scenes", nargs="*", type=pathlib.Path)
-    parser.add_argument("--ranks", type=int, default=os.cpu_count())
+    parser.add_argument("--ranks", type=int, default=1)
     parser.add_argument("--thin", type=int, default=1)
-    parser.add_argument("--points", type=int, default=64)
-    parser.add_argument("--lead-in", type=int, default=8)
+    parser.add_argument("--points", type=int, default=48)
+    parser.add_argument("--lead-in", type=int, default=0)
+    parser.add_argument("--random", type=int, default=0)
     parser.add_argument("--keep", type=pathlib.Path, help="where atlases stay, to be gone on with")
     options = parser.parse_args()
+    paths = options.scenes or ([] if options.random else sorted(ROOT.glob("jobs/*.json")))
+    scenes = [(path.stem, thinned(json.loads(path.read_text()), options.thin)) for path in paths]
+    scenes += [(f"random_{number}", random_scene(number)) for number in range(options.random)]
     with tempfile.TemporaryDirectory(prefix="rubatlas_pieces_") as scratch:
         directory = options.keep or pathlib.Path(scratch)
         directory.mkdir(parents=True, exist_ok=True)
-        print("| scene | points | other class | periodic, and moved | replaced | more work |")
-        print("|---|---|---|---|---|---|")
-        for path in options.scenes or sorted(ROOT.glob("jobs/*.json")):
-            if line := row(path, options, directory):
-                print(line, flush=True)
+        print("| scene | points | periodic | moved by 1 % of tolerance | joined | by pieces | joined | replaced "
+              "| more work |")
+        print("|---|--:|--:|--:|--:|--:|--:|--:|--:|")
+        rows = []
+        for name, scene in scenes:
+            if (numbers := row(name, scene, options, directory)) is not None:
+                rows.append(numbers)
+                print(shown(f"`{name}`", numbers), flush=True)
+        print(shown("together", sum(rows)))
 
 
 if __name__ == "__main__":

@@ -223,10 +223,13 @@ void describe_grid(const settings::Scene& scene, const plan::Grid& grid, Text& t
   if (pieces.per_line() > 1) {
     const auto more =
         static_cast<double>(pieces.computed_per_line()) / static_cast<double>(grid.speed_count()) - 1.0;
-    text.line("pieces",
-              fmt::format("{:>6}  a line, of up to {} points, each behind {} from `initial`, and "
-                          "compared where they meet: {:.0f} % more points to compute",
-                          pieces.per_line(), scene.pieces->points, scene.pieces->lead_in, 100.0 * more));
+    text.line(
+        "pieces",
+        fmt::format("{:>6}  a line, of up to {} points, each behind {} from `initial`, and "
+                    "compared where they meet: {:.1f} % more points to compute. Where one meets another "
+                    "in aperiodic motion (`/seam` 3), last digits choose what follows, as anywhere "
+                    "behind such motion; \"pieces\": null sweeps lines whole",
+                    pieces.per_line(), scene.pieces->points, scene.pieces->lead_in, 100.0 * more));
   }
 }
 
@@ -259,26 +262,15 @@ std::string duration(double seconds) {
   return seconds < 1.0 ? fmt::format("{:.3g} ms", 1e3 * seconds) : readable_duration(seconds);
 }
 
-/// What would give more ranks work.
-std::string pieces_hint(const settings::Scene& scene, const plan::Grid& grid) {
-  const bool may_be_cut = grid.points_depend_on_each_other() && !(scene.wear && scene.wear->carries_over);
-  if (scene.pieces || !may_be_cut ||
-      grid.speed_count() < 2 * static_cast<std::size_t>(settings::Pieces{}.points))
-    return "";
-  return R"(; "pieces": {} in the scene lets several sweep a line)";
-}
-
 /// What several ranks make of the time. Points of a run come one after the other, on one rank.
 std::string on_more_ranks(const settings::Scene& scene, const plan::Grid& grid) {
   const plan::Pieces pieces(scene);
   const bool one_by_one = grid.points_depend_on_each_other();
   const std::size_t most = one_by_one ? grid.line_count() * pieces.per_line() : grid.point_count();
   if (most == 1) {
-    return fmt::format("; more ranks do not help with one {}, and are idle{}", one_by_one ? "line" : "point",
-                       pieces_hint(scene, grid));
+    return fmt::format("; more ranks do not help with one {}, and are idle", one_by_one ? "line" : "point");
   }
-  return fmt::format(", divided by the number of ranks, of which {} at most have work{}", most,
-                     pieces_hint(scene, grid));
+  return fmt::format(", divided by the number of ranks, of which {} at most have work", most);
 }
 
 /// What was tried, and what of it came to its end.

@@ -64,13 +64,12 @@ std::string command_to_go_on(const RunOptions& options, const Session& session) 
 }
 
 /// Points spread over the grid, tried before the job where somebody wants to know how long it will take.
-/// Lead-ins of pieces tell this by themselves.
 std::vector<TriedPoint> try_points(const RunOptions& options, const settings::Scene& scene,
                                    const Preparation& preparation, int ranks) {
   constexpr double kShareOfTime = 0.01;
   constexpr double kMostSeconds = 0.5;
   constexpr double kFirstLook = 0.02;  // [s]
-  if (options.progress == ProgressStyle::off || plan::Pieces(scene).per_line() > 1) return {};
+  if (options.progress == ProgressStyle::off) return {};
   const CostEstimate first = estimate_cost(scene, kFirstLook);
   const auto pending = static_cast<double>(std::ranges::count(preparation.status, 0));
   const double share = kShareOfTime * first.seconds_per_point * pending / ranks;

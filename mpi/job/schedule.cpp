@@ -13,13 +13,10 @@ constexpr auto kDone = static_cast<std::uint8_t>(ending::PointStatus::done);
 
 /// Assignments become shorter when the points left are fewer than this many assignments of full length for
 /// each rank.
-constexpr std::size_t kAssignmentsPerRank = 8;
+constexpr std::size_t kAssignmentsPerRank = 32;
 /// Runs are few when there are no more than this many for each rank. Then the longest goes first, so that
 /// all end at the same time.
 constexpr std::size_t kFewRuns = 4;
-/// Number of runs whose lead-in is computed before anything else: the time left is then known early, since
-/// the lead-ins are spread over all lines and speeds.
-constexpr std::size_t kMostScouts = 64;
 
 constexpr double kGoldenSection = 0.6180339887498949;  // its multiples are spread evenly
 
@@ -61,7 +58,6 @@ Schedule::Schedule(const plan::Grid& grid, const plan::Pieces& pieces, const Sto
   }
   stride_ = spread_stride(grid.line_count());
   if (undecided_ == 0) return;
-  choose_scouts();
   Outcome nothing;
   for (std::size_t line = 0; line < grid.line_count(); ++line) {
     if (is_complete(run_of(line, 0))) advance(line, nothing);
@@ -94,28 +90,10 @@ void Schedule::skip_stored(std::size_t number) {
 
 // --- the choice of a run ---
 
-void Schedule::choose_scouts() {
-  const std::size_t count = std::min(kMostScouts, undecided_ / 2);
-  std::set<std::size_t> chosen;
-  for (std::size_t i = 1; i <= count; ++i) {
-    const double place = std::fmod(kGoldenSection * static_cast<double>(i), 1.0);
-    const auto number = static_cast<std::size_t>(place * static_cast<double>(runs_.size()));
-    if (runs_[number].whole && pieces_.run_begin(piece_of(number)) < pieces_.begin(piece_of(number))) {
-      chosen.insert(number);
-    }
-  }
-  scouts_.assign(chosen.begin(), chosen.end());
-}
-
 std::optional<std::size_t> Schedule::choose_run(std::size_t& own) {
   if (unassigned_ == 0) return std::nullopt;
   const auto is_own = [&](std::size_t number) { return number < runs_.size() && is_free(number); };
   if (chained_) {
-    if (!scouts_.empty()) {
-      const std::size_t scout = scouts_.back();
-      scouts_.pop_back();
-      return scout;
-    }
     if (!last_runs_ && unfinished_runs_ <= kFewRuns * run_of_rank_.size()) begin_endgame();
     if (last_runs_) return choose_longest();
   }
@@ -142,17 +120,14 @@ void Schedule::begin_endgame() {
   }
 }
 
-/// The free run with the longest time ahead: its own, and that of the seams of all pieces behind it, which
-/// wait for it.
+/// The free run with the longest time ahead.
 std::optional<std::size_t> Schedule::choose_longest() {
   std::erase_if(*last_runs_, [&](std::size_t number) { return is_complete(number); });
-  const double seam = costs_.expected(0, grid_.speed_count()) / static_cast<double>(grid_.speed_count());
   std::optional<std::size_t> longest;
   double most = -1.0;
   for (const std::size_t number : *last_runs_) {
     if (!is_free(number)) continue;
-    const auto seams_behind = static_cast<double>(pieces_.per_line() - 1 - piece_of(number));
-    const double ahead = remaining(number) + seam * seams_behind;
+    const double ahead = remaining(number);
     if (ahead <= most) continue;
     most = ahead;
     longest = number;
@@ -406,6 +381,8 @@ double Schedule::expected(std::size_t line, std::size_t first_visit, std::size_t
   return costs_.expected(grid_.speed_count() - last_visit, grid_.speed_count() - first_visit);
 }
 
+/// A run that has cost more than other lines did goes on so. One that has cost less may not have come yet to
+/// what costs most.
 double Schedule::remaining(std::size_t number) const {
   const Run& run = runs_[number];
   const std::size_t line = line_of(number);
@@ -413,7 +390,7 @@ double Schedule::remaining(std::size_t number) const {
   const auto course = courses_.find(number);
   if (course == courses_.end() || !course->second.last_visit) return left;
   const double so_far = expected(line, course->second.first_visit, *course->second.last_visit + 1);
-  return so_far > 0.0 ? left * course->second.seconds / so_far : left;
+  return so_far > 0.0 ? left * std::max(1.0, course->second.seconds / so_far) : left;
 }
 
 double Schedule::remaining_over_recorded() const {

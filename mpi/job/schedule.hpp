@@ -139,7 +139,6 @@ class Schedule {
   [[nodiscard]] Keep keep_of(std::size_t run, std::size_t visit) const;
   void skip_stored(std::size_t number);
   [[nodiscard]] bool is_decided_in_atlas(std::size_t line, std::size_t piece) const;
-  void choose_scouts();
 
   /// Runs in the order in which they are begun: piece after piece, and lines far apart one after the other.
   /// Neighbouring lines cost alike, so that those already computed tell early what the others will cost.
@@ -182,7 +181,6 @@ class Schedule {
   std::vector<std::size_t> left_at_speed_;  ///< points of runs that are not reported, by speed
   std::size_t first_open_ = 0;              ///< all runs before are taken or complete, by `in_order`
   std::size_t stride_ = 1;                  ///< from line to line in that order
-  std::vector<std::size_t> scouts_;         ///< runs whose lead-in is still to be computed first
   std::optional<std::vector<std::size_t>> last_runs_;  ///< all unfinished runs when few are left
   std::size_t unassigned_ = 0;                         ///< points of runs that are not handed out
   std::size_t undecided_ = 0;                          ///< pieces whose seam is not decided

@@ -14,10 +14,16 @@ namespace {
 constexpr std::string_view kSections = "poincare";
 constexpr std::string_view kDisplacement = "max_displacement";
 
+/// Tolerances of the integrator by which the sections of one periodic motion may differ. What differs by more
+/// has not settled, and may still go elsewhere at the next point.
+constexpr double kSame = 10.0;
+
 }  // namespace
 
 TraceRecorder::TraceRecorder(const settings::Scene& scene)
-    : observed_(scene), closing_(analysis::closing_tolerance(scene)) {
+    : observed_(scene),
+      closing_(analysis::closing_tolerance(scene)),
+      same_{.relative = 0.0, .floor = kSame * scene.accuracy.tolerance * analysis::length_scale(scene)} {
   const auto keeps = [&](std::string_view name) { return std::ranges::count(scene.observables, name) > 0; };
   for (const std::string_view name : {kSections, kDisplacement}) {
     if (!keeps(name)) observed_.observables.emplace_back(name);
@@ -38,7 +44,7 @@ analysis::MotionTrace TraceRecorder::trace(const point::PointOutcome& outcome) c
 
 bool TraceRecorder::is_same_motion(const point::PointOutcome& outcome,
                                    const analysis::MotionTrace& found) const {
-  return analysis::is_same_motion(trace(outcome), outcome.rows[sections_], found, closing_);
+  return analysis::is_same_motion(trace(outcome), outcome.rows[sections_], found, same_);
 }
 
 void TraceRecorder::strip(point::PointOutcome& outcome) const {

@@ -28,7 +28,8 @@ class TraceRecorder {
  private:
   settings::Scene observed_;
   analysis::ClosingTolerance closing_;
-  std::size_t sections_ = 0;  ///< places of both rows in an outcome
+  analysis::ClosingTolerance same_;  ///< within which sections are those of one motion
+  std::size_t sections_ = 0;         ///< places of both rows in an outcome
   std::size_t displacement_ = 0;
   std::vector<std::size_t> added_;  ///< places of rows that the atlas does not keep, descending
 };

@@ -19,7 +19,9 @@ struct Software {
 };
 
 /// Version of the file layout described in datasets.md.
-constexpr const char* kSchemaVersion = "4";
+constexpr const char* kSchemaVersion = "5";
+/// The same layout, of programs that cut no line unasked.
+constexpr const char* kVersionOfWholeLines = "4";
 /// The layout without `/settled`, of programs whose motions settled never.
 constexpr const char* kVersionWithoutSettled = "3";
 /// The same layout, of programs whose default method was `hybrid`.

@@ -30,8 +30,8 @@ namespace {
 constexpr auto kDone = static_cast<std::uint8_t>(ending::PointStatus::done);
 constexpr auto kLastStatus = static_cast<std::uint8_t>(ending::PointStatus::integrator_failed);
 
-constexpr std::array<std::string_view, 4> kReadVersions{kSchemaVersion, kVersionWithoutSettled,
-                                                        kVersionOfHybrid, kVersionWithoutChecksums};
+constexpr std::array<std::string_view, 5> kReadVersions{
+    kSchemaVersion, kVersionOfWholeLines, kVersionWithoutSettled, kVersionOfHybrid, kVersionWithoutChecksums};
 
 const char* words_of(NumberType type) {
   switch (type) {
@@ -310,7 +310,9 @@ File open_with_care(const std::filesystem::path& path) {
 
 std::string resolved_scene(const File& file) {
   const std::string text = file.read_text("/scene_resolved");
-  return file.root().text("schema_version") == kSchemaVersion ? text : settings::with_settle(text);
+  const std::string version = file.root().text("schema_version");
+  if (version == kSchemaVersion) return text;
+  return settings::of_older_program(text, version == kVersionOfWholeLines);
 }
 
 bool lacks_checksums(const File& file) {

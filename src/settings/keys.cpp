@@ -98,7 +98,7 @@ void check_structure(const nlohmann::json& document) {
   check_keys(document, "");
   for (const auto& section : sections()) {
     const auto found = document.find(last_key(section.pointer));
-    if (found == document.end()) continue;
+    if (found == document.end() || (found->is_null() && section.may_be_null)) continue;
     if (!found->is_object()) {
       fail(section.pointer, fmt::format("{} is not a section in braces; {}", shown(*found), section.meaning));
     }

@@ -59,6 +59,7 @@ struct Section {
   std::string_view meaning;
   /// Makes the section present in a scene; null for sections that every scene has.
   void (*open)(Scene&) = nullptr;
+  bool may_be_null = false;  ///< which says that it is absent where it would be there by default
 };
 
 std::span<const Section> sections();

@@ -24,7 +24,8 @@ using nlohmann::json;
 
 void read_values(const json& document, Scene& scene) {
   for (const auto& section : sections()) {
-    if (section.open != nullptr && document.contains(last_key(section.pointer))) section.open(scene);
+    const auto found = document.find(last_key(section.pointer));
+    if (section.open != nullptr && found != document.end() && !found->is_null()) section.open(scene);
   }
   for (const auto& entry : quantities()) {
     const json::json_pointer pointer{std::string(entry.pointer)};

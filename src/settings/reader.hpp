@@ -29,9 +29,9 @@ std::string resolved_json(const Scene& scene);
 /// The same without what names the atlas and says nothing of its motions: title, reference, creator, license.
 std::string motion_json(const Scene& scene);
 
-/// The resolved text of a program that knew no `/protocol/settle`, whose motions never settled, as this one
-/// would write it.
-std::string with_settle(std::string_view resolved);
+/// The resolved text of a program that cut no line unasked, as this one would write it. Before it knew
+/// `/protocol/settle` its motions never settled.
+std::string of_older_program(std::string_view resolved, bool knew_settle);
 
 /// Empty when two resolved texts describe the same motions, whatever names their atlases, else one sentence
 /// that names the first differing pointer and both values.

@@ -10,6 +10,7 @@
 #include "settings/document.hpp"
 #include "settings/quantity.hpp"
 #include "settings/reader.hpp"
+#include "settings/scene_checks.hpp"
 
 namespace rubatlas::settings {
 namespace {
@@ -94,6 +95,7 @@ json document_of(const Scene& scene) {
   }
   for (const auto& swept : scene.grid.swept) document["grid"][swept.pointer] = swept.values;
   document["observables"] = scene.observables;
+  if (!scene.pieces && is_cut_unasked(scene)) document["pieces"] = nullptr;
   return document;
 }
 
@@ -115,12 +117,15 @@ std::string motion_json(const Scene& scene) {
   return text_of(document);
 }
 
-std::string with_settle(std::string_view resolved) {
+std::string of_older_program(std::string_view resolved, bool knew_settle) {
   json document = parse_document(resolved, "scene");
-  json& protocol = document["protocol"];
-  protocol.erase("stop_when_periodic");
-  protocol["settle"] = "never";
-  return text_of(document);
+  if (!document.contains("pieces")) document["pieces"] = nullptr;
+  if (!knew_settle) {
+    json& protocol = document["protocol"];
+    protocol.erase("stop_when_periodic");
+    protocol["settle"] = "never";
+  }
+  return resolved_json(parse_scene(document.dump(), "scene"));
 }
 
 std::string difference(std::string_view resolved_a, std::string_view resolved_b) {

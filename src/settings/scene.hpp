@@ -71,8 +71,10 @@ enum class Sweep : std::uint8_t { up, down, both, independent };
 
 /// A line of a sweep cut into pieces, which several ranks compute at the same time (`plan/pieces.hpp`).
 struct Pieces {
-  int points = 64;  ///< of a piece; the last piece of a line may be shorter
-  int lead_in = 8;  ///< points of the line before a piece, swept from `initial` on to lead into it
+  int points = 48;  ///< of a piece; the last piece of a line may be shorter
+  int lead_in = 0;  ///< points of the line before a piece, swept from `initial` on to lead into it
+
+  static constexpr std::size_t kLongestWhole = 256;  ///< points of a line that is not cut unasked
 };
 
 /// State of the shaft centre at phase 0 (MODEL 6).
@@ -128,7 +130,7 @@ struct Scene : effects::Effects {
   Contact contact;
   Grid grid;
   Sweep sweep = Sweep::up;
-  std::optional<Pieces> pieces;  ///< absent: each line is swept from its one end to the other
+  std::optional<Pieces> pieces;  ///< without them each line is swept from its one end to the other
   Initial initial;
   Protocol protocol;
   Spectrum spectrum;

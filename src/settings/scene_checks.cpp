@@ -79,7 +79,8 @@ void check_initial_axes(const Scene& scene) {
 }
 
 /// Pieces need a sweep, whose points go on from each other, and must be able to begin within it.
-void check_pieces(const Scene& scene) {
+void check_pieces(const nlohmann::json& document, Scene& scene) {
+  if (!document.contains("pieces") && is_cut_unasked(scene)) scene.pieces.emplace();
   if (!scene.pieces) return;
   if (scene.sweep == Sweep::independent) {
     fail("/pieces", R"(the sweep is "independent": its points go to all ranks as they are)");
@@ -91,13 +92,18 @@ void check_pieces(const Scene& scene) {
 
 }  // namespace
 
+bool is_cut_unasked(const Scene& scene) {
+  return scene.grid.speed_ratio.size() > Pieces::kLongestWhole && scene.sweep != Sweep::independent &&
+         !(scene.wear && scene.wear->carries_over);
+}
+
 void check_together(const nlohmann::json& document, Scene& scene) {
   check_choosers(document, scene);
   check_clearance(scene);
   check_effects(scene);
   check_spectrum(scene);
   check_initial_axes(scene);
-  check_pieces(scene);
+  check_pieces(document, scene);
   const int highest = scene.protocol.samples_per_revolution / 2;
   if (!document.contains(nlohmann::json::json_pointer("/spectrum/max_order"))) {
     scene.spectrum.max_order = std::min(std::max(12, 4 * scene.blades.count), highest);

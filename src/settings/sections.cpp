@@ -18,7 +18,8 @@ constexpr std::array kOwnSections{
             .open =
                 [](Scene& scene) {
                   if (!scene.pieces) scene.pieces.emplace();
-                }},
+                },
+            .may_be_null = true},
     Section{.pointer = "/initial", .meaning = "state of the shaft centre at phase 0"},
     Section{.pointer = "/protocol", .meaning = "how long a point runs and what of it is kept"},
     Section{.pointer = "/spectrum", .meaning = "extent of the amplitude spectrum"},

@@ -64,8 +64,9 @@ def departures(path):
         for name in IF_ASKED:
             need((name in atlas) == (name in asked), f"/{name} is there and not asked for, or the reverse")
         rows = {**ALWAYS, **{name: (IF_ASKED[name], "<f8") for name in asked}}
-        need(("seam" in atlas) == ("pieces" in scene), "/seam is there without pieces, or the reverse")
-        if "pieces" in scene:
+        cut = scene.get("pieces") is not None
+        need(("seam" in atlas) == cut, "/seam is there without pieces, or the reverse")
+        if cut:
             rows["seam"] = ([], "|u1")
         for effect, (strength, name, axis) in MEMORIES.items():
             acts = scene.get(effect, {}).get(strength, 0.0) != 0.0 or any(key.startswith(f"{effect}_") for key in swept)

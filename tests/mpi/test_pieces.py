@@ -1,4 +1,5 @@
 """Lines swept in pieces: one atlas whatever the ranks and the kills, on the branch of the serial sweep."""
+import json
 import os
 import random
 import signal
@@ -137,6 +138,24 @@ class Pieces(JobTest):
         job = self.execute(None, "verify", atlas, "--recompute", 40)
         self.assertEqual(job.returncode, 0, job.stderr)
         self.assertIn("40 of 40 computed again have the same bits", job.stdout)
+
+    def test_long_lines_are_swept_in_pieces_unless_the_scene_says_null(self):
+        def atlas_of(count, **changes):
+            content = line(grid={"speed_ratio": {"from": 0.3, "to": 0.4, "count": count}},
+                           protocol={"transient_revolutions": 2, "sampled_revolutions": 2}, **changes)
+            if content["pieces"] is ...:
+                del content["pieces"]
+            return self.fill(2, content, "long.h5", "--overwrite")
+
+        with h5py.File(atlas_of(257, pieces=...), "r") as file:
+            self.assertEqual(json.loads(file["scene_resolved"][()])["pieces"], {"points": 48, "lead_in": 0})
+            self.assertTrue((file["seam"][...].reshape(-1)[48::48] != NONE).all())
+        with h5py.File(atlas_of(257, pieces=None), "r") as file:
+            self.assertIsNone(json.loads(file["scene_resolved"][()])["pieces"])
+            self.assertNotIn("seam", file)
+        with h5py.File(atlas_of(256, pieces=...), "r") as file:
+            self.assertNotIn("pieces", json.loads(file["scene_resolved"][()]))
+            self.assertNotIn("seam", file)
 
     def test_pieces_where_no_line_can_be_cut_are_refused(self):
         self.assert_refused(self.execute(None, "run", self.write_scene(line(sweep="independent")), "-o", "a.h5"), 2,

@@ -1,4 +1,5 @@
 // The canonical text: complete, stable, read back as the same scene, and what makes two scenes different.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -94,6 +95,20 @@ TEST(ResolvedScene, WhatIsAbsentStaysAbsent) {
   EXPECT_FALSE(document["ring"].contains("stiffness"));
   EXPECT_FALSE(document["validity"].contains("yield_strain"));
   EXPECT_EQ(document["accuracy"], (nlohmann::json{{"method", "collocation"}, {"tolerance", 1e-9}}));
+}
+
+TEST(ResolvedScene, OfAnOlderProgramSweepsLinesWholeAndSettlesNever) {
+  const auto of_speeds = [](int count) {
+    return fmt::format(R"({{"grid": {{"speed_ratio": {{"from": 0.1, "to": 0.9, "count": {}}}}}, )"
+                       R"("protocol": {{"stop_when_periodic": true}}}})",
+                       count);
+  };
+  EXPECT_EQ(parse_scene(of_older_program(of_speeds(256), false)).protocol.settle, Settle::never);
+  const std::string longer = of_older_program(of_speeds(257), false);
+  EXPECT_FALSE(parse_scene(longer).pieces);
+  EXPECT_EQ(of_older_program(longer, true), longer);
+  EXPECT_TRUE(nlohmann::json::parse(longer).at("pieces").is_null());
+  EXPECT_FALSE(nlohmann::json::parse(of_older_program(of_speeds(256), false)).contains("pieces"));
 }
 
 TEST(SceneDifference, IsEmptyForTheSameMotion) {
