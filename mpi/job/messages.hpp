@@ -35,7 +35,7 @@ enum class Keep : std::uint8_t {
 struct Assignment {
   /// Long enough that messages are rare beside computing, short enough that the runs progress evenly, and
   /// that a message about all its points is small.
-  static constexpr std::size_t kMostPoints = 16;
+  static constexpr std::size_t kMostPoints = 64;
 
   std::uint64_t line = 0;
   std::uint64_t run = 0;  ///< of the schedule

@@ -2,7 +2,7 @@
 ///
 /// In a sweep each point starts from the end of the point before it. A run of points (a line, or a piece of
 /// it with its lead-in, `plan::Pieces`) is therefore handed out in order, and to one rank at a time, in
-/// assignments of up to 16 points. An assignment contains its start state, so that the next one may go to
+/// assignments of up to 64 points. An assignment contains its start state, so that the next one may go to
 /// another rank. While there are many runs a rank stays with its own. When few are left, the run with the
 /// most work left goes first. Preempting a run at the end of an assignment costs nothing; with free
 /// preemption this rule reaches McNaughton's bound, total work over number of ranks, up to the length of an

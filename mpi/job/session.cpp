@@ -109,7 +109,7 @@ void Session::abort(int exit_code) const {
 
 void Nap::take() {
   std::this_thread::sleep_for(length_);
-  length_ = std::min(2 * length_, kLongest);
+  length_ = std::min(length_ + length_ / 4, kLongest);
 }
 
 }  // namespace rubatlas::mpi

@@ -47,7 +47,8 @@ class Session {
   int size_ = 1;
 };
 
-/// Sleeps while there is nothing to do, longer each time, because a rank that polls occupies its core.
+/// Sleeps while there is nothing to do, because a rank that polls occupies its core: each time longer by a
+/// quarter, so that no answer waits longer than a fifth of the time for which it has been waited for.
 class Nap {
  public:
   void take();
