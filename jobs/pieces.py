@@ -80,13 +80,12 @@ class Sweep:
     @staticmethod
     def lines(dataset, file):
         axes = [scale.keys()[0] for scale in file["max_displacement"].dims]
+        sweep = json.loads(file["scene_resolved"][()])["sweep"]
         values = dataset[...]
-        if scale := "direction" in axes:
-            values = np.moveaxis(values, axes.index("direction"), 0)
-        values = values.reshape(*values.shape[:1] if scale else (1,), -1, len(file["speed_ratio"]))
-        if scale:
-            values[file["direction"][...] < 0] = values[file["direction"][...] < 0, :, ::-1].copy()
-        elif json.loads(file["scene_resolved"][()])["sweep"] == "down":
+        if sweep == "both":
+            values = np.moveaxis(values, axes.index("direction"), 0).copy()
+            values[1] = values[1, ..., ::-1].copy()  # down
+        elif sweep == "down":
             values = values[..., ::-1]
         return values.reshape(-1, values.shape[-1])
 

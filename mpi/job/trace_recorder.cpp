@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -14,8 +15,8 @@ namespace {
 constexpr std::string_view kSections = "poincare";
 constexpr std::string_view kDisplacement = "max_displacement";
 
-/// Tolerances of the integrator by which the sections of one periodic motion may differ. What differs by more
-/// has not settled, and may still go elsewhere at the next point.
+/// Tolerances of the integrator by which the ends of one periodic motion may differ. What differs by more has
+/// not settled, and may still go elsewhere at the next point.
 constexpr double kSame = 10.0;
 
 }  // namespace
@@ -23,7 +24,7 @@ constexpr double kSame = 10.0;
 TraceRecorder::TraceRecorder(const settings::Scene& scene)
     : observed_(scene),
       closing_(analysis::closing_tolerance(scene)),
-      same_{.relative = 0.0, .floor = kSame * scene.accuracy.tolerance * analysis::length_scale(scene)} {
+      same_(kSame * scene.accuracy.tolerance * analysis::length_scale(scene)) {
   const auto keeps = [&](std::string_view name) { return std::ranges::count(scene.observables, name) > 0; };
   for (const std::string_view name : {kSections, kDisplacement}) {
     if (!keeps(name)) observed_.observables.emplace_back(name);
@@ -44,7 +45,13 @@ analysis::MotionTrace TraceRecorder::trace(const point::PointOutcome& outcome) c
 
 bool TraceRecorder::is_same_motion(const point::PointOutcome& outcome,
                                    const analysis::MotionTrace& found) const {
-  return analysis::is_same_motion(trace(outcome), outcome.rows[sections_], found, same_);
+  const analysis::MotionTrace here = trace(outcome);
+  if (!analysis::is_periodic(here.motion) || !analysis::is_periodic(found.motion))
+    return analysis::is_same_motion(here, outcome.rows[sections_], found, closing_);
+  double square = 0.0;
+  for (std::size_t i = 0; i < here.section.size(); ++i)
+    square += (here.section[i] - found.section[i]) * (here.section[i] - found.section[i]);
+  return here.motion == found.motion && std::sqrt(square) <= same_;
 }
 
 void TraceRecorder::strip(point::PointOutcome& outcome) const {

@@ -19,7 +19,8 @@ class TraceRecorder {
   [[nodiscard]] const settings::Scene& observed() const { return observed_; }
 
   [[nodiscard]] analysis::MotionTrace trace(const point::PointOutcome& outcome) const;
-  /// Whether this is the motion of `found`.
+  /// Whether this is the motion of `found`, and what follows it the same. A cycle has to be in the same
+  /// phase: where it ends, it is the phase that decides what the next point falls to.
   [[nodiscard]] bool is_same_motion(const point::PointOutcome& outcome,
                                     const analysis::MotionTrace& found) const;
   /// Removes the rows that the atlas does not keep.
@@ -28,8 +29,8 @@ class TraceRecorder {
  private:
   settings::Scene observed_;
   analysis::ClosingTolerance closing_;
-  analysis::ClosingTolerance same_;  ///< within which sections are those of one motion
-  std::size_t sections_ = 0;         ///< places of both rows in an outcome
+  double same_;               ///< distance within which the ends of two points are the same [m]
+  std::size_t sections_ = 0;  ///< places of both rows in an outcome
   std::size_t displacement_ = 0;
   std::vector<std::size_t> added_;  ///< places of rows that the atlas does not keep, descending
 };
