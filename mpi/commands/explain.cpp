@@ -223,13 +223,15 @@ void describe_grid(const settings::Scene& scene, const plan::Grid& grid, Text& t
   if (pieces.per_line() > 1) {
     const auto more =
         static_cast<double>(pieces.computed_per_line()) / static_cast<double>(grid.speed_count()) - 1.0;
-    text.line(
-        "pieces",
-        fmt::format("{:>6}  a line, of up to {} points, each behind {} from `initial`, and "
-                    "compared where they meet: {:.1f} % more points to compute. Where one meets another "
-                    "in aperiodic motion (`/seam` 3), last digits choose what follows, as anywhere "
-                    "behind such motion; \"pieces\": null sweeps lines whole",
-                    pieces.per_line(), scene.pieces->points, scene.pieces->lead_in, 100.0 * more));
+    const std::string behind =
+        scene.pieces->lead_in > 0 ? fmt::format(" {} points ahead", scene.pieces->lead_in) : "";
+    text.line("pieces",
+              fmt::format("{:>6}  a line, of up to {} points, begun from `initial`{}, and replaced up to "
+                          "where they go on as what leads to them: {:.1f} % more points to compute, at least",
+                          pieces.per_line(), scene.pieces->points, behind, 100.0 * more));
+    text.line("undecided",
+              "        behind a seam in aperiodic motion (`/seam` 3) last digits choose what follows, as in "
+              "any sweep");
   }
 }
 

@@ -1,4 +1,5 @@
 // What `explain` says of a scene.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -356,19 +357,29 @@ TEST(Explain, SaysHowManyRanksHaveWork) {
 }
 
 TEST(Explain, SaysWhatPiecesCostAndWhatSeveralRanksMakeOfThem) {
-  const std::string line = R"("grid": {"speed_ratio": {"from": 0.1, "to": 0.2, "count": 128}},
-      "protocol": {"transient_revolutions": 2, "sampled_revolutions": 2})";
-  const std::string whole = explained("{" + line + "}");
-  EXPECT_TRUE(holds(line_of(whole, "on one rank"), R"("pieces": {} in the scene lets several sweep a line)"));
-  EXPECT_FALSE(holds(whole, "on more ranks"));
+  const auto line = [](int count, const std::string& rest) {
+    return explained(fmt::format(R"({{"grid": {{"speed_ratio": {{"from": 0.1, "to": 0.2, "count": {}}}}},
+      "protocol": {{"transient_revolutions": 2, "sampled_revolutions": 2}}{}}})",
+                                 count, rest));
+  };
+  for (const std::string& whole : {line(256, ""), line(300, R"(, "pieces": null)")}) {
+    EXPECT_TRUE(holds(line_of(whole, "on one rank"), "; more ranks do not help with one line"));
+    EXPECT_FALSE(holds(whole, "on more ranks"));
+    EXPECT_FALSE(holds(whole, "undecided"));
+  }
 
-  const std::string cut = explained("{" + line + R"(, "pieces": {}})");
-  // 128 points, a lead-in of 8 and one seam.
-  EXPECT_TRUE(holds(line_of(cut, "pieces"),
-                    "2  a line, of up to 64 points, each behind 8 from `initial`, and compared where they "
-                    "meet: 7 % more points to compute"));
-  EXPECT_TRUE(holds(line_of(cut, "on one rank"), "of which 2 at most have work"));
+  // 300 points, and one at each of six seams.
+  const std::string cut = line(300, "");
+  EXPECT_TRUE(
+      holds(line_of(cut, "pieces"), "7  a line, of up to 48 points, begun from `initial`, and replaced"));
+  EXPECT_TRUE(holds(line_of(cut, "pieces"), ": 2.0 % more points to compute, at least"));
+  EXPECT_TRUE(holds(line_of(cut, "undecided"), "`/seam` 3"));
+  EXPECT_TRUE(holds(line_of(cut, "on one rank"), "of which 7 at most have work"));
   EXPECT_TRUE(holds(line_of(cut, "on more ranks"), "and no less"));
+
+  const std::string led_into = line(128, R"(, "pieces": {"points": 64, "lead_in": 8})");
+  EXPECT_TRUE(holds(line_of(led_into, "pieces"), "begun from `initial` 8 points ahead"));
+  EXPECT_TRUE(holds(line_of(led_into, "pieces"), ": 7.0 % more points to compute, at least"));
 }
 
 TEST(Explain, NamesWhatAUserShouldKnowBeforehand) {

@@ -161,6 +161,72 @@ TEST(HardSettling, InAnAlignedRingWhereEachCycleTurnedByABladeIsAnotherAMotionSe
   EXPECT_GT(settled, 10);
 }
 
+/// A point of any rotor whose flow is linearised by four numbers.
+struct RandomPoint {
+  settings::Scene scene;
+  double speed;
+  SectionState start;
+};
+
+RandomPoint random_point(std::mt19937_64& generator) {
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(generator);
+  };
+  const auto one_in = [&](int many) { return std::uniform_int_distribution<int>(1, many)(generator) == 1; };
+  settings::Scene scene = default_rotor(1);
+  if (one_in(3)) scene.contact.law = settings::ContactLaw::elastic_ring;
+  scene.contact.friction = between(0.0, 0.4);
+  scene.rotor.damping_ratio = std::pow(10.0, between(-2.3, -0.5));
+  if (one_in(3)) scene.blades.count = std::uniform_int_distribution<int>(1, 7)(generator);
+  if (one_in(3)) scene.unbalance = effects::Unbalance{.moment = std::pow(10.0, between(-6.0, -3.3))};
+  switch (std::uniform_int_distribution<int>(0, 9)(generator)) {
+    case 0:
+      scene.gravity = effects::Gravity{.acceleration = between(0.0, 0.2)};
+      break;
+    case 1:
+      scene.side_load = effects::SideLoad{.force = between(0.0, 0.3)};
+      break;
+    case 2:
+      scene.support = effects::Support{.stiffness_xx = between(5.0, 30.0), .damping_yy = between(0.2, 2.0)};
+      break;
+    case 3:
+      scene.regularised_friction = effects::RegularisedFriction{.velocity = between(0.01, 0.1)};
+      break;
+    case 4:
+      scene.stribeck = effects::Stribeck{.static_friction = scene.contact.friction + between(0.0, 0.2),
+                                         .velocity = between(0.1, 0.5),
+                                         .regularising_velocity = between(0.02, 0.1)};
+      break;
+    case 5:
+      scene.unequal_blades.emplace().length_spread = between(0.0, 2e-4);
+      break;
+    default:
+      break;
+  }
+  constexpr double kFarthest = 8e-4;
+  const auto component = [&] { return between(-kFarthest, kFarthest); };
+  return {scene, between(0.05, 0.95), {component(), component(), component(), component()}};
+}
+
+void expect_random_points_to_end_where_they_settle(int points, int fewest_settled) {
+  std::mt19937_64 generator(28);
+  int settled = 0;
+  for (int i = 0; i < points; ++i) {
+    SCOPED_TRACE(::testing::Message() << "point " << i);
+    const RandomPoint point = random_point(generator);
+    if (ends_where_it_settles(point.scene, point.speed, point.start) == Outcome::settled) ++settled;
+  }
+  EXPECT_GE(settled, fewest_settled);
+}
+
+TEST(HardSettling, OfRandomRotorsAMotionSettlesWhereItEnds) {
+  expect_random_points_to_end_where_they_settle(100, 30);
+}
+
+TEST(HardSettlingSlow, OfTwentyThousandRandomRotorsAMotionSettlesWhereItEnds) {
+  expect_random_points_to_end_where_they_settle(20'000, 6'000);
+}
+
 TEST(HardSettling, UnderEachEffectWithALinearisedFlowAMotionSettlesWhereItEnds) {
   std::vector<settings::Scene> scenes(7, default_rotor(1));
   scenes[0].gravity = effects::Gravity{.acceleration = 0.05};
