@@ -74,11 +74,11 @@ void EarlierInterval::guess(const Contact& contact, Interval& next) const {
 
 double EarlierContacts::distance(const Beginning& a, const Beginning& b, double least) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  if (a.slip != b.slip || a.straight != b.straight || (a.argument == 0.0) != (b.argument == 0.0)) return kFar;
-  // Most are told apart by the first of these.
-  for (std::size_t i = 0; i < a.shaft.size(); ++i) {
+  // Most are told apart by the first of these. The last is the same wherever a straight tip is on the ring.
+  for (const std::size_t i : {1U, 3U, 2U, 0U}) {
     if (!(std::abs(a.shaft[i] - b.shaft[i]) < least * clearance_)) return kFar;
   }
+  if (a.slip != b.slip || a.straight != b.straight || (a.argument == 0.0) != (b.argument == 0.0)) return kFar;
   double of_places = std::max(largest_difference(a.shaft, b.shaft), largest_difference(a.forcing, b.forcing));
   if (ring_moves_) of_places = std::max(of_places, largest_difference(a.ring, b.ring));
   return std::max({of_places / clearance_, std::abs(a.argument - b.argument),

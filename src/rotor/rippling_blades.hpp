@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "contact/pose.hpp"
@@ -63,10 +64,13 @@ class RipplingBlades : private BladeSet {
   }
   [[nodiscard]] double angular_snap_bound() const { return std::abs(frequency_) * angular_jerk_bound(); }
 
+  /// The last one is kept: an event asks for it many times.
   [[nodiscard]] contact::BladeDirection first(double time) const {
-    if (!ripples()) return BladeSet::first(time);
+    if (time == time_of_last_) return last_;
+    time_of_last_ = time;
+    if (!ripples()) return last_ = BladeSet::first(time);
     const double phi = angle(time);
-    return {std::cos(phi), std::sin(phi)};
+    return last_ = {std::cos(phi), std::sin(phi)};
   }
 
   [[nodiscard]] Anchor anchor(int blade, double time) const {
@@ -83,6 +87,8 @@ class RipplingBlades : private BladeSet {
   double frequency_;  ///< pΩ [per unit τ]
   double depth_;      ///< a/p [rad]
   double phase_;      ///< ψ [rad]
+  mutable double time_of_last_ = std::numeric_limits<double>::quiet_NaN();
+  mutable contact::BladeDirection last_{};
 };
 
 }  // namespace rubatlas::rotor
