@@ -10,8 +10,8 @@ digits choose the motion, whoever sweeps.
 
 Prints one row of a table for each scene: points; those that are periodic from end to end; of these, those that have
 another class or maximum displacement in the control, and in pieces, each time followed by those among them that a chain
-of periodic points joins to a seam at which nothing had moved yet; the share of points that were replaced at seams; and
-the work (right-hand sides and evaluations of the gap) of pieces over that of whole lines.
+of periodic points joins to a seam before which both went on alike, in phase, too; the share of points that were
+replaced at seams; and the work (right-hand sides and evaluations of the gap) of pieces over that of whole lines.
 """
 import argparse
 import json
@@ -72,9 +72,10 @@ class Sweep:
         runs = json.loads(pathlib.Path(f"{atlas}.run.json").read_text())["runs"]
         self.work = sum(run["right_hand_sides"] + run["gap_evaluations"] for run in runs)
         with h5py.File(atlas, "r") as file, h5py.File(maps, "r") as classes:
-            lines = [self.lines(array, file) for array in (file["max_displacement"], classes["class"])]
+            self.displacement = self.lines(file["max_displacement"], file)
+            self.motion = self.lines(classes["class"], file)
+            self.end = np.stack([self.lines(file["final_state"][..., i], file) for i in range(4)], axis=-1)
             self.seam = self.lines(file["seam"], file) if "seam" in file else None
-        self.displacement, self.motion = lines
         self.periodic = (self.motion >= 1) & (self.motion <= LONGEST_PERIOD)
 
     @staticmethod
@@ -94,13 +95,17 @@ class Sweep:
         apart = np.abs(self.displacement - other.displacement) > 1e-6 * self.displacement
         return self.periodic & ((self.motion != other.motion) | apart)
 
+    def ends_as(self, other):
+        """Points from which both sweeps go on alike."""
+        return np.abs(self.end - other.end).max(axis=-1) <= 1e-6 * self.displacement
 
-def joined(periodic, moved, seams):
+
+def joined(periodic, alike, seams):
     """Which points periodic ones join to a seam, before which the motion was the same."""
-    result = np.zeros_like(moved)
+    result = np.zeros_like(periodic)
     for line, line_periodic in enumerate(periodic):
         for seam in seams:
-            if line_periodic[seam - 1] and not moved[line, seam - 1]:
+            if line_periodic[seam - 1] and alike[line, seam - 1]:
                 ends = np.flatnonzero(~line_periodic[seam:])
                 result[line, seam:seam + (ends[0] if ends.size else line_periodic.size)] = True
     return result
@@ -119,8 +124,9 @@ def row(name, scene, options, directory):
     cut = Sweep(scene, f"{name}_pieces", options, directory)
     seams = range(options.points, speeds(scene), options.points)
     numbers = [whole.motion.size, whole.periodic.sum()]
-    for moved in (whole.moved(other), whole.moved(cut)):
-        numbers += [moved.sum(), (moved & joined(whole.periodic, moved, seams)).sum()]
+    for sweep in (other, cut):
+        moved = whole.moved(sweep)
+        numbers += [moved.sum(), (moved & joined(whole.periodic, whole.ends_as(sweep), seams)).sum()]
     return np.array([*numbers, (cut.seam == REPAIRED).sum(), whole.work, cut.work])
 
 

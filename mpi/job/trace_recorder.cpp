@@ -45,13 +45,13 @@ analysis::MotionTrace TraceRecorder::trace(const point::PointOutcome& outcome) c
 
 bool TraceRecorder::is_same_motion(const point::PointOutcome& outcome,
                                    const analysis::MotionTrace& found) const {
-  const analysis::MotionTrace here = trace(outcome);
-  if (!analysis::is_periodic(here.motion) || !analysis::is_periodic(found.motion))
-    return analysis::is_same_motion(here, outcome.rows[sections_], found, closing_);
+  const analysis::MotionTrace mine = trace(outcome);
+  if (!analysis::is_periodic(mine.motion) || !analysis::is_periodic(found.motion))
+    return analysis::is_same_motion(mine, outcome.rows[sections_], found, closing_);
   double square = 0.0;
-  for (std::size_t i = 0; i < here.section.size(); ++i)
-    square += (here.section[i] - found.section[i]) * (here.section[i] - found.section[i]);
-  return here.motion == found.motion && std::sqrt(square) <= same_;
+  for (std::size_t i = 0; i < mine.section.size(); ++i)
+    square += (mine.section[i] - found.section[i]) * (mine.section[i] - found.section[i]);
+  return mine.motion == found.motion && std::sqrt(square) <= same_;
 }
 
 void TraceRecorder::strip(point::PointOutcome& outcome) const {

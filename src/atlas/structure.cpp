@@ -309,7 +309,7 @@ File open_with_care(const std::filesystem::path& path) {
 }
 
 std::string resolved_scene(const File& file) {
-  const std::string text = file.read_text("/scene_resolved");
+  std::string text = file.read_text("/scene_resolved");
   const std::string version = file.root().text("schema_version");
   if (version == kSchemaVersion) return text;
   return settings::of_older_program(text, version == kVersionOfWholeLines);

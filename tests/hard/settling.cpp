@@ -51,13 +51,14 @@ Outcome ends_where_it_settles(settings::Scene scene, double speed, const Section
   const auto whole = run(scene, speed, start);
   EXPECT_EQ(whole.status, PointStatus::done) << speed;
   if (whole.status != PointStatus::done) return Outcome::settled;
-  // The error of a revolution adds up on the cycle to that over 1 less the largest multiplier.
+  // The errors of a period's revolutions add up on the cycle to their sum over 1 less the largest multiplier.
   SectionState section_on_cycle;
   std::copy_n(settled.rows[0].begin(), 4, section_on_cycle.begin());
   const auto map = solver_of(scene)->section_map(speed, section_on_cycle, period);
   const double largest = integrate::eigen_modes(map.jacobian).values.cwiseAbs().maxCoeff();
   EXPECT_LT(largest, 1.0) << speed;
-  const double error = 10.0 * scene.accuracy.tolerance * std::max(scene.clearance(), 1e-4) / (1.0 - largest);
+  const double error =
+      10.0 * period * scene.accuracy.tolerance * std::max(scene.clearance(), 1e-4) / (1.0 - largest);
   double difference = 0.0;
   for (std::size_t i = 0; i < whole.rows[0].size(); ++i)
     difference = std::max(difference, std::abs(whole.rows[0][i] - settled.rows[0][i]));
