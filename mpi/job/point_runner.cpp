@@ -74,14 +74,14 @@ bool PointRunner::attend(const Callbacks& callbacks) {
   if (!goes_on_ || !pace_.is_due()) return goes_on_;
   const Interruption interruption(integrating_);
   goes_on_ = callbacks.go_on();
-  settle_if_due();
+  commit_if_due();
   return goes_on_;
 }
 
-void PointRunner::settle_if_due() {
+void PointRunner::commit_if_due() {
   if (!writer_.is_due()) return;
   const Interruption interruption(integrating_);
-  write(&atlas::AtlasWriter::settle);
+  write(&atlas::AtlasWriter::commit);
 }
 
 void PointRunner::write(void (atlas::AtlasWriter::*call)()) {
@@ -143,7 +143,7 @@ void PointRunner::finish_point(point::PointOutcome outcome, double seconds, cons
   report_.work += outcome.work;
   keep_row(outcome, computed);
   report_.add(computed);
-  settle_if_due();
+  commit_if_due();
 
   const bool goes_on = grid_.points_depend_on_each_other() && computed.status == ending::PointStatus::done;
   left_.from_initial = goes_on ? 0 : 1;

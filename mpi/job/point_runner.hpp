@@ -52,7 +52,7 @@ class PointRunner {
   void take(const Verdict& verdict);
 
   /// Forces written rows to the disk when a batch is due; to be called while there is nothing to compute.
-  void idle() { settle_if_due(); }
+  void idle() { commit_if_due(); }
 
  private:
   struct CachedSolver {
@@ -73,7 +73,7 @@ class PointRunner {
 
   /// Looks after messages and the disk; false when all points are to be given up.
   bool attend(const Callbacks& callbacks);
-  void settle_if_due();
+  void commit_if_due();
   /// Adds the time that a call of the writer takes to the time of writing.
   void write(void (atlas::AtlasWriter::*call)());
   void report(const Callbacks& callbacks);

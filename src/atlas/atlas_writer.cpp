@@ -64,7 +64,7 @@ void AtlasWriter::write(std::size_t dataset, const PointBlock& block, std::span<
 
 void AtlasWriter::add_point(std::size_t point, const Origin& origin, const point::PointOutcome& outcome) {
   rows_.add(point, origin, outcome);
-  unsettled_.push_back({point, static_cast<std::uint8_t>(outcome.status)});
+  uncommitted_.push_back({point, static_cast<std::uint8_t>(outcome.status)});
 }
 
 void AtlasWriter::write_rows() {
@@ -80,20 +80,20 @@ void AtlasWriter::write_rows() {
 }
 
 void AtlasWriter::write_statuses() {
-  std::ranges::sort(unsettled_, {}, &Unsettled::point);
+  std::ranges::sort(uncommitted_, {}, &Uncommitted::point);
   std::vector<std::uint8_t> statuses;
-  for (const auto& unsettled : unsettled_) statuses.push_back(unsettled.status);
-  for (const Stretch& stretch : stretches_of(unsettled_)) {
+  for (const auto& uncommitted : uncommitted_) statuses.push_back(uncommitted.status);
+  for (const Stretch& stretch : stretches_of(uncommitted_)) {
     for_each_block(grid_shape_, stretch, [&](const PointBlock& block, std::size_t place) {
       write(kStatus, block, std::as_bytes(std::span(statuses)).subspan(place, block.count));
     });
   }
-  unsettled_.clear();
+  uncommitted_.clear();
 }
 
-void AtlasWriter::settle() {
+void AtlasWriter::commit() {
   const auto began = std::chrono::steady_clock::now();
-  if (!unsettled_.empty()) {
+  if (!uncommitted_.empty()) {
     write_rows();
     disk_.synchronise();
     write_statuses();
@@ -107,7 +107,7 @@ void AtlasWriter::settle() {
 }
 
 void AtlasWriter::close() {
-  settle();
+  commit();
   disk_.synchronise();
   ends_.close();
   for (Dataset& dataset : datasets_) dataset.close();

@@ -52,7 +52,7 @@ class AtlasWriter {
   /// at the clock.
   [[nodiscard]] bool is_due() const { return std::chrono::steady_clock::now() >= next_batch_; }
   /// Writes the rows in memory, forces all written rows to the disk, and writes their statuses.
-  void settle();
+  void commit();
 
   /// The ends of points that were done when the atlas was opened.
   [[nodiscard]] const FinalStates& ends() const { return ends_; }
@@ -61,7 +61,7 @@ class AtlasWriter {
   void close();
 
  private:
-  struct Unsettled {
+  struct Uncommitted {
     std::size_t point = 0;
     std::uint8_t status = 0;
   };
@@ -76,7 +76,7 @@ class AtlasWriter {
   Synchroniser disk_;
   std::vector<Dataset> datasets_;  ///< as `Schema::row_datasets`
   RowBatch rows_;
-  std::vector<Unsettled> unsettled_;  ///< their rows are in the file
+  std::vector<Uncommitted> uncommitted_;  ///< their rows are in the file
   std::chrono::milliseconds batch_period_;
   std::chrono::steady_clock::time_point next_batch_;
 };

@@ -10,9 +10,8 @@ namespace rubatlas::collocation {
 const InclinedLoad::ChartEnd InclinedLoad::kChartEnd{std::cos(std::numbers::pi - blade::kLargestAmplitude),
                                                      std::sin(std::numbers::pi - blade::kLargestAmplitude)};
 
-// With ψ the slope's angle at the tip against the load, u² = sin²(ψ/2) − sin²(β/2), and β sinh p = (ψ² −
-// β²)^½
-// (`blade/elastica.hpp`).
+// With ψ the angle of the tip's slope against the load, u² = sin²(ψ/2) − sin²(β/2), and the p of the table is
+// that of β sinh p = (ψ² − β²)^½ (`blade/elastica.hpp`).
 
 double InclinedLoad::bending_of_table(double p) const {
   const double angle = table->scale();

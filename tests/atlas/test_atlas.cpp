@@ -104,7 +104,7 @@ TEST_F(Atlas, ARowIsThereForReadersAsSoonAsItsStatusIsWritten) {
   writer.add_point(7, {.restarted = true}, numbered_outcome(scene_, 7));
   EXPECT_EQ(AtlasReader(path()).status(), std::vector<std::uint8_t>(10, 0))
       << "it waits for its row to be on the disk";
-  writer.settle();
+  writer.commit();
   // The writer is still open.
   const AtlasReader atlas(path());
   auto expected_status = std::vector<std::uint8_t>(10, 0);
@@ -174,7 +174,7 @@ TEST_F(Atlas, RowsInMemoryReachTheFileTogetherAndTheirStatusesLater) {
   EXPECT_EQ(AtlasReader(path()).rows("max_displacement"),
             (std::vector<double>{0, 0, 3000, 4000, 5000, 0, 0, 8000, 9000, 0}));
   EXPECT_EQ(AtlasReader(path()).status(), std::vector<std::uint8_t>(10, 0));
-  writer.settle();
+  writer.commit();
   EXPECT_EQ(AtlasReader(path()).status(), (std::vector<std::uint8_t>{0, 0, 1, 1, 1, 0, 0, 1, 1, 0}));
   EXPECT_TRUE(damaged_rows(AtlasReader(path())).empty());
 }
@@ -325,7 +325,7 @@ TEST_F(FullAtlas, TheChecksumIsTheOneOfZlibOverTheRowsBytes) {
 TEST_F(Atlas, IsSoundWhileItIsWrittenAndWhenARunWasKilled) {
   AtlasWriter writer(path(), scene_);
   writer.add_point(3, {.restarted = true}, numbered_outcome(scene_, 3));
-  writer.settle();
+  writer.commit();
   std::filesystem::copy(path(), file("killed.h5"));
   for (const auto& atlas : {path(), file("killed.h5")}) {
     EXPECT_EQ(header_damage(atlas), "");
