@@ -133,7 +133,7 @@ def row(name, scene, options, directory):
 def shown(name, numbers):
     points, periodic, by_control, joined_there, moved, joined_here, replaced, work, work_of_pieces = numbers
     return (f"| {name} | {points} | {periodic} | {by_control} | {joined_there} | {moved} | {joined_here} | "
-            f"{100 * replaced / points:.2f} % | {100 * (work_of_pieces / work - 1):+.1f} % |")
+            f"{100 * replaced / points:.2f} % | {100 * (work_of_pieces - work) / max(work, 1):+.1f} % |")
 
 
 def main():
