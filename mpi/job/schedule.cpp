@@ -1,7 +1,6 @@
 #include "mpi/job/schedule.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
