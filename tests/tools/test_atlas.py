@@ -36,6 +36,18 @@ class AtlasQuestions(WithFolder):
         np.testing.assert_array_equal(self.atlas["settled"], np.where(self.status == 1, settled, np.nan))
         self.assertEqual(len(self.atlas.where("settled > 0")), (settled > 0).sum())
 
+    def test_what_became_of_seams_is_asked_in_words(self):
+        shutil.copy(TINY / "atlas.h5", self.folder / "cut.h5")
+        with h5py.File(self.folder / "cut.h5", "r+") as file:
+            seam = file.create_dataset("seam", data=np.zeros_like(file["status"][...]))
+            seam[0, 0, 0, 0, np.flatnonzero(self.status.reshape(-1, self.speed.size)[0] == 1)[3]] = 3
+            for axis, scale in zip(seam.dims, file["status"].dims):
+                axis.attach_scale(scale[0])
+            seam.attrs["flag_values"] = np.arange(4, dtype="u1")
+            seam.attrs["flag_meanings"] = "none agrees repaired aperiodic_on_both_sides"
+        cut = rubatlas.open(self.folder / "cut.h5")
+        self.assertEqual((cut["seam"] == "aperiodic on both sides").sum(), 1)
+
     def test_maps_are_joined_and_units_are_those_of_the_file(self):
         np.testing.assert_array_equal(self.atlas["class"] == "unresolved", (self.motion == 254) & (self.status == 1))
         np.testing.assert_array_equal(self.atlas["margin"], np.where(self.status == 1, self.margin, np.nan))

@@ -20,8 +20,8 @@ import numpy as np
 import xarray
 
 from rubatlas import query
-from rubatlas.atlas_file import (DIRECTIONS, DONE, AtlasError, AtlasFile, beside, number_of, reading, same_value,
-                                 sizes_of, swept_pointers, text, with_values, words_of)
+from rubatlas.atlas_file import (DIRECTIONS, DONE, SOMETIMES, AtlasError, AtlasFile, beside, number_of, reading,
+                                 same_value, sizes_of, swept_pointers, text, with_values, words_of)
 from rubatlas.judgement import MAY_NOT_OCCUR, Judgement, bands_of
 from rubatlas.plots.axes import Plots
 from rubatlas.plots.orbit import OrbitFile
@@ -48,7 +48,7 @@ def _joined(atlas: AtlasFile, maps: AtlasFile | None) -> dict[str, xarray.Variab
     """Everything with one number per point."""
     shape = atlas.dataset("status").shape
     found = {"status": _quantity(atlas, atlas.dataset("status"), atlas.axes)}
-    for name in (*(["settled"] if "settled" in atlas else []), *atlas.scene.get("observables", [])):
+    for name in (*(name for name in SOMETIMES if name in atlas), *atlas.scene.get("observables", [])):
         dataset = atlas.dataset(name)
         if dataset.shape == shape:
             found[name] = _quantity(atlas, dataset, atlas.axes)

@@ -121,10 +121,13 @@ def reading(path, what):
         raise AtlasError(f"{path}: not {what}, or damaged") from None
 
 
+SOMETIMES = ("seam", "settled")  # rows of scenes whose lines are cut, whose transients end on cycles
+
+
 class _Examination:
     """Compares the datasets of a file that lies on the axes of an atlas with these axes, once."""
 
-    KINDS = {"status": "u", "restarted": "u", "settled": "u", "failed_revolution": "i", "class": "u",
+    KINDS = {"status": "u", "restarted": "u", "seam": "u", "settled": "u", "failed_revolution": "i", "class": "u",
              "class_blade_passing": "u", "attractor": "i", "grazing_side": "u"}
 
     def __init__(self, path, file):
@@ -203,7 +206,7 @@ class _Examination:
     def rows(self, axes, scene):
         names = [name for name in ("class", "class_blade_passing", "attractor") if name in self.file]
         if "status" in self.file:
-            names = ["status", "restarted", *(["settled"] if "settled" in self.file else []), "failed_revolution",
+            names = ["status", "restarted", *(name for name in SOMETIMES if name in self.file), "failed_revolution",
                      "final_state", *scene.get("observables", [])]
         for name in names:
             self.numbers(name, axes)
