@@ -3,7 +3,7 @@
 
     ./jobs/pieces.py [--ranks N] [--thin K] [--points P] [--lead-in L] [--random N] [--keep DIRECTORY] [SCENE.json ...]
 
-Without scenes it takes all of this folder whose lines have more than one piece. --thin K keeves every K-th value of
+Without scenes it takes all of this folder whose lines have more than one piece. --thin K keeps every K-th value of
 each axis but the speed ratio. --random N adds N random rotors, swept up and down. Beside each comparison stands one of
 two sweeps from end to end, of which one has a tolerance that is larger by 1 %: behind an aperiodic stretch the last
 digits choose the motion, whoever sweeps.
@@ -139,7 +139,7 @@ def shown(name, numbers):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scenes", nargs="*", type=pathlib.Path)
-    parser.add_argument("--ranks", type=int, default=1)
+    parser.add_argument("--ranks", type=int, default=os.cpu_count())
     parser.add_argument("--thin", type=int, default=1)
     parser.add_argument("--points", type=int, default=48)
     parser.add_argument("--lead-in", type=int, default=0)
