@@ -295,6 +295,7 @@ class ContactArc {
   TipStart at_end_{};                      ///< of the leading blade there
   double rounding_at_end_ = 0.0;           ///< |v| or other where an ending is
   double displacement_bound_ = 0.0;
+  double argument_bound_ = 0.0;  ///< of the leading blade's p in the interval that was made
   double gap_bound_of_others_ = 0.0;
   std::uint64_t interval_count_ = 0;
   std::uint64_t rejected_ = 0;

@@ -334,6 +334,7 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   // Bounds of shorter intervals tell.
   if (!stays_valid(bounds, ending)) return Verdict::too_long;
   displacement_bound_ = bounds.displacement;
+  argument_bound_ = bounds.argument;
   const bool held_beyond_ring = law_->releases_at_fold(blade_) && !is_straight(blade_);
   const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || next.start_gap_measure > 0.0);
   if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::too_long;

@@ -69,6 +69,7 @@ ContactArc::Point ContactArc::solved_in(const Stretch& stretch, double fraction)
 
 std::optional<ContactArc::Point> ContactArc::most_bent(int blade, double from, double to, double known) {
   const double bound = 1.0 + kSafety * allowed_ / rotor_->length_scale;
+  if (blade == blade_ && bound * argument_bound_ <= known) return std::nullopt;  // mostly
   const double least = known / bound;
   const Stretch within = stretch(from, to);
   const FurtherBlade* further = blade == blade_ ? nullptr : &made().further[number_of(blade)];
