@@ -126,8 +126,8 @@ class SafeSpeeds(unittest.TestCase):
     def test_a_limit_in_a_wrong_unit_is_noted_to_limit_nothing(self):
         with h5py.File(TINY / "atlas.h5") as atlas:
             most = atlas["max_displacement"][...][atlas["status"][...] == DONE].max()
-        note = "max_displacement ≤ 250 mm, 25 clearances limits nothing: the largest value is "
-        result, text = self.bands("--keep", "max_displacement<=0.25")
+        note = "max_displacement ≤ 2500 mm, 250 clearances limits nothing: the largest value is "
+        result, text = self.bands("--keep", "max_displacement<=2.5")
         self.assertTrue(result["notes"][0].startswith(f"{note}{1e3 * most:g} mm"), result["notes"])
         self.assertIn(f"note: {note}", text)
         for limit in ("max_displacement<=0.012", "nearest_miss>=1 mm", "max_displacement<=0.1 mm"):
