@@ -65,9 +65,9 @@ void ContactArc::start_next(Interval& next) const {
 
 bool ContactArc::solve(Interval& interval, bool warm, double closest) {
   // No closer than places and velocities are rounded.
-  const double rounding =
-      std::numeric_limits<double>::epsilon() *
-      std::max(machine().ring_radius, 4.0 * std::hypot(interval.shaft.start[2], interval.shaft.start[3]));
+  const auto& [x, y, vx, vy] = interval.shaft.start;
+  const double rounding = std::numeric_limits<double>::epsilon() *
+                          std::max(machine().ring_radius, 4.0 * std::sqrt(vx * vx + vy * vy));
   const double velocity = std::min(std::max(kClosest * tolerance_, rounding), closest);
   const bool solved = law_->solve(contact_, {velocity, warm}, interval);
   sweeps_ += static_cast<std::uint64_t>(interval.sweeps);

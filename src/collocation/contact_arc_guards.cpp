@@ -56,7 +56,7 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   return !contact_.leans || (bounds.time_slope > 0.0 && bounds.chart_left > 0.0);
 }
 
-/// The first guard of the blades in contact.
+/// The first guard of the blades in contact. One that the bounds exclude is not looked for.
 ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const Bounds& bounds) const {
   Ending first;
   std::size_t place_of_first = kPlaces;
@@ -75,7 +75,7 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
     }
   };
   const bool releases_at_fold = law_->releases_at_fold(blade_) && !is_straight(blade_);
-  if (!releases_at_fold)
+  if (!releases_at_fold && !(bounds.gap_measure > 0.0))
     look(Guard::under_load, blade_, interval.start_gap_measure, interval.gap_measure, 1.0);
   // Over p itself the last node is the unbent blade.
   const std::size_t count = interval.chord.time == 0.0 ? kNodes - 1 : kNodes;
@@ -84,10 +84,12 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
     look(Guard::fold, blade_, sum_of_products(node_tables().value_at_start, interval.time_slope),
          interval.time_slope, 1.0, count);
   if (contact_.leans) look(Guard::chart_end, blade_, interval.start_chart_left, interval.chart_left, 1.0);
-  const auto look_at_slip = [&](int blade, double slip, bool may_be_pressed_in, const TipInTime& tip) {
+  // `least`: bound of |v| in the interval.
+  const auto look_at_slip = [&](int blade, double slip, bool may_be_pressed_in, double least,
+                                const TipInTime& tip) {
     if (may_be_pressed_in) look(Guard::pressed_in, blade, tip.start_cone_left, tip.cone_left, 1.0);
     if (slip == 0.0) look(Guard::loosening, blade, tip.start_cone_left, tip.cone_left, 1.0);
-    if (!reverses(slip)) return;
+    if (!reverses(slip) || least > 0.0) return;
     const double sign = std::copysign(1.0, tip.start_slip_velocity);
     AtNodes velocity = tip.slip_velocity;
     if (slips_from_zero(tip.start_slip_velocity)) {
@@ -95,10 +97,10 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
     }
     look(Guard::slip_reversal, blade, tip.start_slip_velocity, velocity, sign);
   };
-  look_at_slip(blade_, contact_.slip, contact_.straight || contact_.skims, interval);
+  look_at_slip(blade_, contact_.slip, contact_.straight || contact_.skims, bounds.slip_velocity, interval);
   for (std::size_t k = 0; k < further_.size(); ++k)
     look_at_slip(further_[k].blade, further_[k].slip, further_[k].straight || further_[k].skims,
-                 interval.further[k]);
+                 bounds.further[k].slip_velocity, interval.further[k]);
   const auto look_at_validity = [&](Guard guard, int blade) {
     const Course left = validity_left(interval, guard, blade);
     look(guard, blade, left.start, left.nodes, 1.0);

@@ -173,10 +173,12 @@ void Predictor::guess(Interval& next) {
   length_of_trial_ = length;
   const AtNodes& node = node_tables().node;
   const double half_turn = 0.5 * curvature_ * length;
-  const bool straight = std::abs(half_turn) < kStraight;
-  const double cosine = std::cos(half_turn);
-  const double sine = std::sin(half_turn);
-  const double chord = straight ? length : length * sine / half_turn;
+  // Sine, over the angle, and cosine are short series: the chord may be any that is near.
+  const double square = half_turn * half_turn;
+  const double sine_per_turn = 1.0 - square * (1.0 / 6.0 - square / 120.0);
+  const double cosine = 1.0 - square * (0.5 - square / 24.0);
+  const double sine = half_turn * sine_per_turn;
+  const double chord = length * sine_per_turn;
   const Tangent direction{tangent_.time * cosine - tangent_.argument * sine,
                           tangent_.argument * cosine + tangent_.time * sine};
   const bool reaches_zero = next.start_argument > 0.0 && tangent_.argument < -kSteep &&

@@ -61,7 +61,7 @@ inline Pose pose(const Geometry& geometry, const BladeDirection& er, double cx, 
 
 /// Rounding of g there [m²].
 inline double gap_rounding(const Geometry& geometry, const Pose& at) {
-  return geometry.gap_rounding(std::hypot(at.radial, at.tangential));
+  return geometry.gap_rounding(std::sqrt(at.radial * at.radial + at.tangential * at.tangential));
 }
 
 /// dg/dτ [m²].
@@ -84,7 +84,7 @@ inline double gap_curvature(const Geometry& geometry, const BladeDirection& er, 
 inline constexpr double kSlipRounding = 1e-12;  ///< of the larger of Ω R and the shaft's speed
 /// |v| where a slip reversal has been located [m per unit τ]. `tip_speed`: Ω R; `vx`, `vy`: z'.
 inline double slip_rounding(double tip_speed, double vx, double vy) {
-  return kSlipRounding * std::fmax(std::abs(tip_speed), std::hypot(vx, vy));
+  return kSlipRounding * std::fmax(std::abs(tip_speed), std::sqrt(vx * vx + vy * vy));
 }
 
 }  // namespace rubatlas::contact
