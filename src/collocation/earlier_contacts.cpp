@@ -74,25 +74,34 @@ void EarlierInterval::guess(const Contact& contact, Interval& next) const {
 
 double EarlierContacts::distance(const Beginning& a, const Beginning& b, double least) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  // Most are told apart by the first of these. The last is the same wherever a straight tip is on the ring.
-  for (const std::size_t i : {1U, 3U, 2U, 0U}) {
-    if (!(std::abs(a.shaft[i] - b.shaft[i]) < least * clearance_)) return kFar;
-  }
   if (a.slip != b.slip || a.straight != b.straight || (a.argument == 0.0) != (b.argument == 0.0)) return kFar;
   double of_places = std::max(largest_difference(a.shaft, b.shaft), largest_difference(a.forcing, b.forcing));
   if (ring_moves_) of_places = std::max(of_places, largest_difference(a.ring, b.ring));
+  if (!(of_places < least * clearance_)) return kFar;
   return std::max({of_places / clearance_, std::abs(a.argument - b.argument),
                    std::abs(a.angular_speed - b.angular_speed)});
+}
+
+/// The least difference of places and velocities across the blade, of so many that are kept.
+double EarlierContacts::least_apart(const Beginning& beginning, std::size_t begin) const {
+  const auto first = static_cast<Eigen::Index>(begin);
+  const auto places = across_.segment<kAtOnce>(first) - beginning.shaft[1];
+  const auto velocities = velocity_across_.segment<kAtOnce>(first) - beginning.shaft[3];
+  return places.abs().max(velocities.abs()).minCoeff();
 }
 
 EarlierContacts::Found EarlierContacts::find(const Beginning& beginning) {
   std::size_t nearest = 0;
   double least = kAlike;
-  for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    const double there = distance(beginning, beginnings_[i], least);
-    if (there < least) {
-      least = there;
-      nearest = i;
+  const std::size_t count = contacts_.size();
+  for (std::size_t begin = 0; begin < count; begin += kAtOnce) {
+    if (!(least_apart(beginning, begin) < least * clearance_)) continue;  // mostly
+    for (std::size_t i = begin; i < std::min(begin + kAtOnce, count); ++i) {
+      const double there = distance(beginning, beginnings_[i], least);
+      if (there < least) {
+        least = there;
+        nearest = i;
+      }
     }
   }
   const std::size_t next = least < kSame ? nearest : oldest_;
@@ -102,6 +111,8 @@ EarlierContacts::Found EarlierContacts::find(const Beginning& beginning) {
   // Its intervals are read, one by one, before they are written.
   if (found.next != found.alike) found.next->count = 0;
   beginnings_[next] = beginning;
+  across_[static_cast<Eigen::Index>(next)] = beginning.shaft[1];
+  velocity_across_[static_cast<Eigen::Index>(next)] = beginning.shaft[3];
   return found;
 }
 

@@ -3,6 +3,7 @@
 /// ring. Contacts are therefore compared as seen from the blade that begins them.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <deque>
@@ -66,10 +67,15 @@ class EarlierContacts {
   /// Infinite where it is not below `least`.
   [[nodiscard]] double distance(const Beginning& a, const Beginning& b, double least) const;
 
+  [[nodiscard]] double least_apart(const Beginning& beginning, std::size_t begin) const;
+
   static constexpr std::size_t kKept = 64;
+  static constexpr std::size_t kAtOnce = 8;  ///< are compared
   bool ring_moves_;
   double clearance_;
   std::array<Beginning, kKept> beginnings_;
+  using OfAll = Eigen::Array<double, kKept, 1>;
+  OfAll across_ = OfAll::Zero(), velocity_across_ = OfAll::Zero();  ///< of their shafts
   std::deque<EarlierContact> contacts_;  ///< made as they are needed: most motions have a few kinds
   std::size_t oldest_ = 0;
 };
