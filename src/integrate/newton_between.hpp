@@ -24,7 +24,8 @@ double newton_between(Function function, double low, double high, double guess, 
     if (there.value == 0.0) return at;
     ((there.value < 0.0) == rises ? low : high) = at;
     double next = at - there.value / there.slope;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    // At the root rounding may leave a step none of what is between the signs.
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     const double step = std::abs(next - at);
     at = next;
     if (step <= closeness) break;
