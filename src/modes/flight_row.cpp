@@ -1,5 +1,7 @@
 #include "modes/flight_row.hpp"
 
+#include "integrate/newton_between.hpp"
+
 namespace rubatlas::modes {
 
 FlightRow::FlightRow(const rotor::Machine& machine, double spacing)
@@ -36,6 +38,19 @@ void FlightRow::see(const Values& x, const Values& y, const Values& vx, const Va
   y_ = y + misalignment_;
   square_ = x * x + y_ * y_;
   square_rate_ = 2.0 * (x * vx + y_ * vy);
+}
+
+double FlightRow::crossing(const Gaps& gaps, int interval) const {
+  constexpr double kClosest = 1e-3;  // of the interval
+  const double h = spacing();
+  const auto [from, from_rate, to, to_rate] = ends_of(gaps, interval);
+  const double square = 3.0 * (to - from) - (2.0 * from_rate + to_rate) * h;
+  const double cube = (from_rate + to_rate) * h - 2.0 * (to - from);
+  const auto gap = [&, start = from, rate = from_rate * h](double share) {
+    return integrate::ValueAndSlope{start + share * (rate + share * (square + share * cube)),
+                                    rate + share * (2.0 * square + share * 3.0 * cube)};
+  };
+  return h * integrate::newton_between(gap, 0.0, 1.0, from / (from - to), true, kClosest);
 }
 
 rotor::ShaftAndRing FlightRow::state(int i) const {

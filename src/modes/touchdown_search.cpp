@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "integrate/conservative_step.hpp"
+#include "integrate/newton_between.hpp"
 #include "modes/tip_of.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
@@ -201,6 +202,10 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::in_rows(const Flight&
     if (doubt < FlightRow::kTimes) {
       if (time >= until) break;
       const double end = std::min(time + row.spacing(), until);
+      if (auto touchdown = only_touch(flight, row, doubt, time, first, meter)) {
+        if (meter.ended() || !(touchdown->time < until)) return std::nullopt;
+        return touchdown;
+      }
       for (double& clear_until : clear_until_) clear_until = clear_until > doubt ? end : time;
       if (auto touchdown = by_steps(flight, time, bodies, end, meter)) return touchdown;
       if (meter.ended()) return std::nullopt;
@@ -212,6 +217,32 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::in_rows(const Flight&
       ahead = outlook(flight, time, bodies, until);
   }
   return std::nullopt;
+}
+
+/// The touch-down in an interval of the row that starts at `time`, where one tip alone may touch in it, and
+/// touches once. Nothing where it cannot be told. `first`: where blade 0 stands at the start of the row.
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::only_touch(const Flight& flight,
+                                                                      const FlightRow& row, int interval,
+                                                                      double time,
+                                                                      const contact::BladeDirection& first,
+                                                                      WorkMeter& meter) {
+  constexpr double kLastStep = 1e-8;  // [τ]: the last step errs by its square
+  const auto may_touch = [interval](double clear_until) { return !(clear_until > interval); };
+  if (std::ranges::count_if(clear_until_, may_touch) > 1) return std::nullopt;
+  const auto number = std::ranges::find_if(clear_until_, may_touch) - clear_until_.begin();
+  const auto blade = static_cast<int>(number);
+  const FlightRow::Gaps gaps = gaps_of(row, blade, first);
+  if (!row.touches_once(gaps, interval, roundings_[static_cast<std::size_t>(number)])) return std::nullopt;
+  const auto gap = [&](double at) {
+    meter.spend(Work::flight, WorkPrice::kGap + flight.price_of_state());
+    ++evaluations_;
+    const contact::Pose there = pose(blade, at, flight.state(at));
+    return integrate::ValueAndSlope{
+        there.gap, contact::gap_rate(geometry(blade), there, machine_->blades.angular_speed(at))};
+  };
+  const double touches = integrate::newton_between(gap, time, time + row.spacing(),
+                                                   time + row.crossing(gaps, interval), true, kLastStep);
+  return Touchdown{blade, touches, flight.state(touches)};
 }
 
 /// In steps that no tip can outrun; `clear_until_` says from when on each blade is to be looked at.

@@ -89,6 +89,8 @@ class TouchdownSearch {
 
   std::optional<Touchdown> in_rows(const Flight& flight, rotor::ShaftAndRing bodies, double until,
                                    WorkMeter& meter);
+  std::optional<Touchdown> only_touch(const Flight& flight, const FlightRow& row, int interval, double time,
+                                      const contact::BladeDirection& first, WorkMeter& meter);
   std::optional<Touchdown> by_steps(const Flight& flight, double time, rotor::ShaftAndRing bodies,
                                     double until, WorkMeter& meter);
 
