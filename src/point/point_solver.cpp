@@ -109,7 +109,10 @@ PointOutcome PointSolver::run(double speed_ratio, const motion::PointStart& star
     const auto period = static_cast<int>(begun.cycle.size());
     const bool exponents = std::ranges::count(scene_.observables, "lyapunov") > 0;
     std::optional<Return> turn;
-    if (exponents) turn = return_from(speed_ratio, begun.cycle.front(), period, true, go_on, begun.work);
+    if (exponents) {
+      turn = return_from(*begun.motion, speed_ratio, begun.cycle.front(), period, true, go_on);
+      begun.ending.status = begun.motion->start(start_of(begun.cycle.front()));
+    }
     recorder_.on_cycle(turn ? turn->jacobian : variation::Tangents{});
     revolutions = std::min(revolutions, period);
   }
@@ -164,14 +167,18 @@ auto PointSolver::transient(double speed_ratio, const motion::PointStart& start,
   AfterTransient result{motion_of(speed_ratio, start), {}, 0, {}, {}};
   Touches touches;
   const double scale = constants_of(scene_, 1.0).length_scale;
+  // Runs from sections to where the motion would come, and finds there the contacts that it has met before.
+  std::unique_ptr<motion::PointMotion> ahead;
   std::optional<Settling> settling;
   if (settles_) {
     settling.emplace(scene_.accuracy.tolerance * scale, scale,
                      [&, speed_ratio](const Section& from, int count, bool derivative) {
-                       return return_from(speed_ratio, from, count, derivative, go_on, result.work);
+                       if (!ahead) ahead = motion_of(speed_ratio, start_of(from));
+                       return return_from(*ahead, speed_ratio, from, count, derivative, go_on);
                      });
   }
   const auto ended = [&](ending::PointStatus status, int revolution) {
+    if (ahead) result.work += ahead->work();
     const bool given_up = status == ending::PointStatus::pending;
     result.ending = {status, result.motion->status_detail(), given_up ? -1 : revolution};
     return std::move(result);
@@ -194,7 +201,7 @@ auto PointSolver::transient(double speed_ratio, const motion::PointStart& start,
     std::rotate(cycle->begin(), cycle->begin() + static_cast<std::ptrdiff_t>(left), cycle->end());
     result.settled = revolution + 1;
     result.work += result.motion->work();
-    result.motion = motion_of(speed_ratio, start_of(cycle->front()));
+    result.motion = std::move(ahead);
     status = result.motion->start(start_of(cycle->front()));
     result.cycle = std::move(*cycle);
     break;
@@ -202,21 +209,19 @@ auto PointSolver::transient(double speed_ratio, const motion::PointStart& start,
   return ended(status, status == ending::PointStatus::done ? -1 : revolutions);
 }
 
-std::optional<Return> PointSolver::return_from(double speed_ratio, const Section& from, int revolutions,
-                                               bool derivative, const modes::GoOn& go_on,
-                                               motion::WorkCounts& work) {
+std::optional<Return> PointSolver::return_from(motion::PointMotion& motion, double speed_ratio,
+                                               const Section& from, int revolutions, bool derivative,
+                                               const modes::GoOn& go_on) {
   Touches touches;
   std::optional<Mapping> mapping;
   if (derivative) mapping.emplace(tangents_at(speed_ratio), point_of(speed_ratio));
   modes::MotionListener& listener = derivative ? static_cast<modes::MotionListener&>(*mapping) : touches;
-  const auto motion = motion_of(speed_ratio, start_of(from));
   Return result;
-  ending::PointStatus status = motion->start(start_of(from));
+  ending::PointStatus status = motion.start(start_of(from));
   for (int revolution = 0; status == ending::PointStatus::done && revolution < revolutions; ++revolution) {
-    status = motion->revolution(listener, go_on, revolution);
-    result.sections.push_back(whole_section(*motion));
+    status = motion.revolution(listener, go_on, revolution);
+    result.sections.push_back(whole_section(motion));
   }
-  work += motion->work();
   if (status != ending::PointStatus::done) return std::nullopt;
   if (!derivative) {
     result.events = touches.take();

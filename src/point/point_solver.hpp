@@ -53,8 +53,8 @@ class PointSolver final : public LineSolver {
                                     modes::MotionListener& listener, int revolutions);
   [[nodiscard]] std::unique_ptr<motion::PointMotion> motion_of(double speed_ratio,
                                                                const motion::PointStart& start) const;
-  std::optional<Return> return_from(double speed_ratio, const Section& from, int revolutions, bool derivative,
-                                    const modes::GoOn& go_on, motion::WorkCounts& work);
+  std::optional<Return> return_from(motion::PointMotion& motion, double speed_ratio, const Section& from,
+                                    int revolutions, bool derivative, const modes::GoOn& go_on);
   AfterTransient transient(double speed_ratio, const motion::PointStart& start, const modes::GoOn& go_on);
   /// So many sampled revolutions.
   Ending sampled(motion::PointMotion& motion, int revolutions, modes::MotionListener& listener,
