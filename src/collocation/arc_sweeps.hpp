@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -52,11 +53,19 @@ class ArcSweeps {
     return {change.x + from[0], change.y + from[1]};
   }
 
-  /// What turning a vector by a small angle changes, of which powers above the eighth are left out.
+  /// What turning a vector by a small angle changes: of angles below `kTurns` 1e-19 is left out, of those
+  /// below `kHardlyTurns`, by less than 1e-17, higher powers.
   struct Turn {
+    static constexpr double kTurns = 0.03;
+    static constexpr double kHardlyTurns = 1e-3;
     Number sine, cosine_less_one;
-    explicit Turn(const Number& angle) {
+    Turn(const Number& angle, bool hardly) {
       const Number square = angle * angle;
+      if (hardly) {
+        sine = angle * (square * (-1.0 / 6) + 1.0);
+        cosine_less_one = square * (square * (1.0 / 24) - 0.5);
+        return;
+      }
       sine = angle * (square * (square * (square * (-1.0 / 5040) + 1.0 / 120) - 1.0 / 6) + 1.0);
       cosine_less_one = square * (square * (square * (square * (1.0 / 40320) - 1.0 / 720) + 1.0 / 24) - 0.5);
     }
@@ -291,6 +300,11 @@ class ArcSweeps {
     }
     er_.change = change_by_turning(interval_.blade, angle);
     turn_to_change();
+    direction_holds_ = true;
+  }
+  /// The same, where it is not known yet.
+  void know_direction() {
+    if (!direction_holds_) take_direction(elapsed());
   }
   void turn_to_change() {
     er_.x = er_.change.x + interval_.blade[0];
@@ -328,14 +342,17 @@ class ArcSweeps {
             {x * offset[0] - y * offset[1], y * offset[0] + x * offset[1]}};
   }
 
-  /// Turns the leading blade's direction on, after a step in τ that the deviation has taken.
+  /// Turns the leading blade's direction on, after a step in τ that the deviation has taken. No deviation has
+  /// taken more than `largest_step_`.
   void turn_on(const Number& time_step) {
     if (ripples()) {
       take_direction(elapsed());
     } else {
-      const Vector more = Turn(time_step * machine_.speed_ratio)(er_);
+      const double farthest = largest_step_ * std::abs(interval_.normal.time * machine_.speed_ratio);
+      const Vector more = Turn(time_step * machine_.speed_ratio, farthest < Turn::kHardlyTurns)(er_);
       er_.change = {er_.change.x + more.x, er_.change.y + more.y};
       turn_to_change();
+      direction_holds_ = farthest < Turn::kTurns;
     }
   }
 
@@ -437,6 +454,7 @@ class ArcSweeps {
   Number angular_speed_;              ///< φ'
   Number angular_acceleration_;       ///< φ''
   double largest_step_ = 0.0;
+  bool direction_holds_ = false;  ///< er_ is that of the deviation, to rounding
 };
 
 }  // namespace

@@ -199,7 +199,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   template <bool kLight>
   double sweep() {
     const Interval& in = interval_;
-    if (!kLight) take_direction(elapsed());
+    know_direction();
     if (is_straight(lead_)) {
       largest_step_ = 0.0;
       return move_by<kLight>(push_of_straight(in, lead_, er_), er_, Number(0.0));
@@ -382,10 +382,10 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::chord_argument_;
   using Base::deviation_;
   using Base::direction_at;
-  using Base::elapsed;
   using Base::er_;
   using Base::gap_per_deflection;
   using Base::interval_;
+  using Base::know_direction;
   using Base::kUnbent;
   using Base::largest_step_;
   using Base::machine_;
@@ -396,7 +396,6 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Base::stepped;
   using Base::store_motion;
   using Base::straight_tip;
-  using Base::take_direction;
   using Base::take_time_rate;
   using Base::time_rate_;
   using Base::turn_on;
@@ -415,7 +414,8 @@ template <std::size_t kWidth>
   return Sweeps<kWidth, true>(contact, closeness, interval).solve();
 }
 
-template <std::size_t kWidth>
+/// `kPlainWidth`: for the paper's rotor, whose sweeps may gain more from many registers than from wide ones.
+template <std::size_t kWidth, std::size_t kPlainWidth = kWidth>
 bool solved(const Contact& contact, const Closeness& closeness, Interval& interval) {
   const Machine& machine = *contact.machine;
   const auto stands = [](const Blade& blade) {
@@ -424,7 +424,7 @@ bool solved(const Contact& contact, const Closeness& closeness, Interval& interv
   bool plain = machine.is_plain() && stands(*contact.blade) && !contact.skims;
   for (const FurtherBlade& further : interval.further)
     plain = plain && stands(*further.blade) && !further.skims;
-  return plain ? plain_solved<kWidth>(contact, closeness, interval)
+  return plain ? plain_solved<kPlainWidth>(contact, closeness, interval)
                : Sweeps<kWidth, false>(contact, closeness, interval).solve();
 }
 

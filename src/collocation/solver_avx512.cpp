@@ -1,6 +1,6 @@
 // Eight numbers in a register.
 
-#ifdef __AVX512DQ__
+#if defined(__AVX512DQ__) && defined(__AVX512VL__)
 #include "collocation/inclined_sweeps.hpp"
 #include "collocation/interval_bounds.hpp"
 #include "collocation/interval_sweeps.hpp"
@@ -9,7 +9,7 @@
 namespace rubatlas::collocation {
 
 IntervalSolver solver_avx512() {
-  return {solved<8>,    inclined_solved<8>,    rigid_solved<8>,  inclined_branch<8>,
+  return {solved<8, 4>, inclined_solved<8>,    rigid_solved<8>,  inclined_branch<8>,
           bounds_of<8>, inclined_bounds_of<8>, largest_gap_of<8>};
 }
 

@@ -1,4 +1,4 @@
-"""What the solvers for one processor leave to the linker."""
+"""What the compiler makes of the solvers for one processor."""
 import os
 import re
 import subprocess
@@ -20,6 +20,14 @@ class CollocationSymbols(unittest.TestCase):
                                   if function not in name and not name.startswith("DW.ref.")], [])
                 # What runs before main runs on every processor.
                 self.assertNotIn("_GLOBAL__sub_I", symbols)
+
+    @unittest.skipUnless(os.uname().machine == "x86_64", "instructions by their names there")
+    def test_no_multiplication_is_fused_with_an_addition(self):
+        listing = subprocess.run(["objdump", "--disassemble", "--no-show-raw-insn", os.environ["RUBATLAS_COLLOCATION"]],
+                                 check=True, capture_output=True, text=True).stdout
+        instructions = set(re.findall(r"^ +[0-9a-f]+:\t(\w+)", listing, re.MULTILINE))
+        self.assertIn("vmulpd", instructions)
+        self.assertEqual([name for name in instructions if re.match("vfn?m(add|sub)", name)], [])
 
 
 if __name__ == "__main__":
