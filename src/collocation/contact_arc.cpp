@@ -24,7 +24,6 @@ constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less ev
 /// may be all but rounding.
 constexpr double kImpact = 1e-14;
 constexpr double kAllButImpact = 1e-11;
-constexpr double kClosest = 0.2;  ///< of the tolerance: what sweeps may leave
 
 }  // namespace
 
@@ -231,7 +230,7 @@ ContactArc::Outcome ContactArc::make() {
       continue;
     }
     if (const int blade = touches_at_once(); blade != kNoBlade) {
-      end_at_once({Guard::touch_down, 0.0, blade, 0.0});
+      end_at_once({Guard::touch_down, 0.0, blade, 0.0, !law_->ends_at_ring()});
       return Outcome::made;
     }
     if (!is_anew) {

@@ -158,6 +158,7 @@ class ContactArc {
  private:
   static constexpr int kNoBlade = -1;
   static constexpr int kMostLeadChanges = 2;  ///< where no interval is made between them
+  static constexpr double kClosest = 0.2;     ///< of the tolerance: what sweeps may leave
   /// p: the force of a blade that is bent less is some 1e-9 of EI/L².
   static constexpr double kNextToUnbent = 1e-4;
 

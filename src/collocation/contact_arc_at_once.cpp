@@ -99,13 +99,14 @@ void ContactArc::end_at_once(const Ending& ending) {
 }
 
 /// The blade whose tip is at the ring where an arc begins, or beyond it by what the tolerance lets it, and
-/// moves outwards.
+/// moves outwards. In a ring with dampers it is inside: it had lifted off there.
 int ContactArc::touches_at_once() const {
-  if (!begins_ || !law_->ends_at_ring()) return kNoBlade;
+  if (!begins_) return kNoBlade;
   for (const Other& other : others_) {
     const contact::Pose there = pose(other.blade, end_);
     const contact::Geometry geometry = law_->geometry(other.blade);
-    const bool touches = there.gap >= -contact::gap_rounding(geometry, there);
+    const bool touches = law_->ends_at_ring() ? there.gap >= -contact::gap_rounding(geometry, there)
+                                              : starts_inside(other.blade);
     if (touches && contact::gap_rate(geometry, there, blades_->angular_speed(end_.time)) > 0.0)
       return other.blade;
   }

@@ -338,7 +338,10 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   displacement_bound_ = bounds.displacement;
   argument_bound_ = bounds.argument;
   const bool held_beyond_ring = law_->releases_at_fold(blade_) && !is_straight(blade_);
-  const bool stays_bent = bounds.gap_measure > 0.0 && (begins_ || next.start_gap_measure > 0.0);
+  // A blade that has just bent on a ring with dampers moves away from where it stood straight by the square
+  // of the time, at first by less than sweeps leave.
+  const bool stays_bent = begins_ ? bounds.gap_measure > -kClosest * tolerance_
+                                  : bounds.gap_measure > 0.0 && next.start_gap_measure > 0.0;
   if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::too_long;
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;

@@ -20,6 +20,10 @@
 namespace rubatlas::test {
 namespace {
 
+constexpr unsigned kSeedOnDampers = 11;
+constexpr double kToleranceOnDampers = 1e-9;
+constexpr double kFineOnDampers = 1e-12;
+
 /// How long blades touch, and how long of that on arcs [τ].
 class TimeOnArcs final : public modes::MotionListener {
  public:
@@ -59,32 +63,31 @@ Revolution revolution(const ElasticOnDampers& m, double tolerance, bool collocat
   return {rotor::as_array(rotor::shaft(motion->state())), ending::StatusDetail::none};
 }
 
+/// In tolerances.
+double error_on_dampers(const trajectory::State& state, const trajectory::State& exact) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < state.size(); ++i) largest = std::max(largest, std::abs(state[i] - exact[i]));
+  return largest / (kToleranceOnDampers * kClearanceOfSeveral);
+}
+
 void expect_errors_within_tolerance_on_dampers(std::size_t wanted) {
-  constexpr double kTolerance = 1e-9;
-  constexpr double kFine = 1e-12;
-  std::mt19937_64 generator(11);
+  std::mt19937_64 generator(kSeedOnDampers);
   std::vector<double> by_collocation;
   std::vector<double> by_steps;
   TimeOnArcs time;
   TimeOnArcs others;
   while (by_steps.size() < wanted) {
     const ElasticOnDampers m = elastic_on_dampers(generator);
-    const auto [exact, exact_detail] = revolution(m, kFine, false, others);
-    const auto [steps, steps_detail] = revolution(m, kTolerance, false, others);
-    const auto [collocated, collocated_detail] = revolution(m, kTolerance, true, time);
+    const auto [exact, exact_detail] = revolution(m, kFineOnDampers, false, others);
+    const auto [steps, steps_detail] = revolution(m, kToleranceOnDampers, false, others);
+    const auto [collocated, collocated_detail] = revolution(m, kToleranceOnDampers, true, time);
     // Steps alone may run out of work, where the ring follows a load in far less time than the shaft does.
     if (exact_detail != ending::StatusDetail::contact_work) {
       EXPECT_EQ(exact_detail, collocated_detail);
     }
     if (!exact || !steps || !collocated || *steps == *collocated) continue;  // it has not touched
-    const auto error = [&](const trajectory::State& state) {
-      double largest = 0.0;
-      for (std::size_t i = 0; i < state.size(); ++i)
-        largest = std::max(largest, std::abs(state[i] - (*exact)[i]));
-      return largest / (kTolerance * kClearanceOfSeveral);
-    };
-    by_collocation.push_back(error(*collocated));
-    by_steps.push_back(error(*steps));
+    by_collocation.push_back(error_on_dampers(*collocated, *exact));
+    by_steps.push_back(error_on_dampers(*steps, *exact));
   }
   std::ranges::sort(by_collocation);
   std::ranges::sort(by_steps);
@@ -106,6 +109,23 @@ TEST(BladesOnDampedRing, ErrByTheToleranceAsInSteps) {
 }
 TEST(BladesOnDampedRingSlow, ErrByTheToleranceInAThousandMotions) {
   expect_errors_within_tolerance_on_dampers(1000);
+}
+
+/// Of the random motions those in which a tip inside the ring turns outwards where another contact begins
+/// (441, 511, 538), or a blade bends that stands on the ring (16, 165): so many have to be made to meet them.
+TEST(BladesOnDampedRing, AreFollowedWhereTheyTurnOutwardsInsideItAndWhereTheyBendOnIt) {
+  constexpr double kMostTolerances = 10.0;
+  std::mt19937_64 generator(kSeedOnDampers);
+  TimeOnArcs time;
+  for (int i = 1; i <= 538; ++i) {
+    const ElasticOnDampers m = elastic_on_dampers(generator);
+    if (i != 16 && i != 165 && i != 441 && i != 511 && i != 538) continue;
+    const auto [collocated, detail] = revolution(m, kToleranceOnDampers, true, time);
+    const auto [exact, exact_detail] = revolution(m, kFineOnDampers, false, time);
+    EXPECT_EQ(detail, ending::StatusDetail::none) << i;
+    ASSERT_TRUE(exact && collocated) << i;
+    EXPECT_LE(error_on_dampers(*collocated, *exact), kMostTolerances) << i;
+  }
 }
 
 TEST(BladesOnDampedRing, HaveTheSameBitsOnEveryProcessor) {
