@@ -20,10 +20,6 @@ constexpr double kBetweenNodes = 0.27;
 constexpr double kOrderAtEnd = 14.0;
 constexpr double kAtEnd = 1.0;            ///< tolerances: of that at the end, as far as it can be estimated
 constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less evenly
-/// [τ]: times and gaps of so short a contact, which count from where it begins, are rounding; and of one that
-/// may be all but rounding.
-constexpr double kImpact = 1e-14;
-constexpr double kAllButImpact = 1e-11;
 
 }  // namespace
 
@@ -213,6 +209,10 @@ ContactArc::Outcome ContactArc::make() {
     }
     const Verdict verdict = solved ? judge(ending) : Verdict::too_long;
     if (verdict == Verdict::gives_up) return Outcome::gives_up;
+    if (verdict == Verdict::at_once) {
+      end_at_once(ending);
+      return Outcome::made;
+    }
     if (verdict == Verdict::holds || verdict == Verdict::holds_in_part) {
       if (verdict == Verdict::holds) made_ = 1 - made_;
       goes_on(ending);

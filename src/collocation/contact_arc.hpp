@@ -158,7 +158,11 @@ class ContactArc {
  private:
   static constexpr int kNoBlade = -1;
   static constexpr int kMostLeadChanges = 2;  ///< where no interval is made between them
-  static constexpr double kClosest = 0.2;     ///< of the tolerance: what sweeps may leave
+  /// [τ]: times and gaps of so short a contact, which count from where it begins, are rounding; and of one
+  /// that may be all but rounding.
+  static constexpr double kImpact = 1e-14;
+  static constexpr double kAllButImpact = 1e-11;
+  static constexpr double kClosest = 0.2;  ///< of the tolerance: what sweeps may leave
   /// p: the force of a blade that is bent less is some 1e-9 of EI/L².
   static constexpr double kNextToUnbent = 1e-4;
 
@@ -222,8 +226,9 @@ class ContactArc {
   void end_at_once(const Ending& ending);
   [[nodiscard]] bool starts_inside(int blade) const;
   bool stays_off(const Other& other, const Interval& interval, double allowed);
-  /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it.
-  enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, gives_up };
+  /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it, or
+  /// nothing.
+  enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, at_once, gives_up };
   Verdict judge(Ending& ending);
   bool solve_next(bool learns);
   void goes_on(const Ending& ending);

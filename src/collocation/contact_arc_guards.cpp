@@ -309,8 +309,9 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   if (!first) return Verdict::too_long;
   ending = *first;
   const bool in_part = ending.guard != Guard::none;
-  // A blade that leaves a ring with dampers where it has just bent stands straight, and would bend there
-  // again.
+  // Where its slip reverses, a straight blade on a ring with dampers may bend under so much load that the
+  // ring leaves it in that moment. Which way it then slips is decided while the ring comes back, within some
+  // 1e-8.
   constexpr double kAtStart = 1e-11;  // θ
   if (!law_->ends_at_ring() && begins_ && ending.guard == Guard::under_load && !(ending.fraction > kAtStart))
     return Verdict::gives_up;
@@ -318,11 +319,11 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   if (in_part) {
     if (!cut_at(next, ending, part)) return Verdict::too_long;
     // The load that would bend a blade has a kink where its tip passes the deepest place: beyond it the
-    // polynomial tells nothing of where it was pressed in.
+    // polynomial tells nothing of where it was pressed in, but that it is within times' rounding.
     constexpr double kPressedIn = 1e-8;  // of F
     if (ending.guard == Guard::pressed_in && is_straight(ending.blade) &&
         std::abs(left_at_end(ending, part)) > kPressedIn * tip_of(part, ending.blade).normal_force.at_end())
-      return Verdict::too_long;
+      return next.elapsed.at_end() > kImpact ? Verdict::too_long : Verdict::at_once;
     // Beyond its ending the interval is no motion.
     const bool lifts = ending.guard == Guard::unbent || ending.guard == Guard::under_load;
     if (!lifts || !further_.empty() || !stays_valid(bounds, ending)) bounds = bounds_of(part);
