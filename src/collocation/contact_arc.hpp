@@ -226,8 +226,8 @@ class ContactArc {
   void end_at_once(const Ending& ending);
   [[nodiscard]] bool starts_inside(int blade) const;
   bool stays_off(const Other& other, const Interval& interval, double allowed);
-  /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it, or
-  /// nothing.
+  /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it. Or
+  /// its ending is met at once, where it starts.
   enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, at_once, gives_up };
   Verdict judge(Ending& ending);
   bool solve_next(bool learns);

@@ -310,8 +310,8 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   ending = *first;
   const bool in_part = ending.guard != Guard::none;
   // Where its slip reverses, a straight blade on a ring with dampers may bend under so much load that the
-  // ring leaves it in that moment. Which way it then slips is decided while the ring comes back, within some
-  // 1e-8.
+  // ring leaves it in that moment. Which way it slips when the ring is back, within some 1e-8, arcs and steps
+  // tell differently.
   constexpr double kAtStart = 1e-11;  // θ
   if (!law_->ends_at_ring() && begins_ && ending.guard == Guard::under_load && !(ending.fraction > kAtStart))
     return Verdict::gives_up;

@@ -111,21 +111,25 @@ TEST(BladesOnDampedRingSlow, ErrByTheToleranceInAThousandMotions) {
   expect_errors_within_tolerance_on_dampers(1000);
 }
 
-/// So many of the random motions have to be made to meet those.
-void expect_followed(std::vector<int> numbers) {
-  constexpr double kMostTolerances = 10.0;
+/// Those of the random motions, which are counted from 1.
+std::vector<ElasticOnDampers> random_motions(const std::vector<int>& numbers) {
   std::mt19937_64 generator(kSeedOnDampers);
-  TimeOnArcs time;
-  for (int i = 1; i <= std::ranges::max(numbers); ++i) {
+  std::vector<ElasticOnDampers> motions;
+  for (int i = 1; motions.size() < numbers.size(); ++i) {
     const ElasticOnDampers m = elastic_on_dampers(generator);
-    if (std::ranges::find(numbers, i) == numbers.end()) continue;
+    if (std::ranges::find(numbers, i) != numbers.end()) motions.push_back(m);
+  }
+  return motions;
+}
+void expect_followed(const std::vector<int>& numbers) {
+  constexpr double kMostTolerances = 10.0;
+  TimeOnArcs time;
+  for (const ElasticOnDampers& m : random_motions(numbers)) {
     const auto [collocated, detail] = revolution(m, kToleranceOnDampers, true, time);
     const auto [exact, exact_detail] = revolution(m, kFineOnDampers, false, time);
-    EXPECT_EQ(detail, exact_detail) << i;
-    ASSERT_EQ(collocated.has_value(), exact.has_value()) << i;
-    if (exact) {
-      EXPECT_LE(error_on_dampers(*collocated, *exact), kMostTolerances) << i;
-    }
+    EXPECT_EQ(detail, exact_detail);
+    ASSERT_TRUE(collocated && exact);
+    EXPECT_LE(error_on_dampers(*collocated, *exact), kMostTolerances);
   }
 }
 
@@ -135,19 +139,13 @@ TEST(BladesOnDampedRing, AreFollowedWhereTheyTurnOutwardsInsideItAsAnotherContac
 TEST(BladesOnDampedRing, AreFollowedWhereTheyBendOnIt) {
   expect_followed({16, 165});
 }
-/// What ends those is found beyond the limit of the shortening, or by steps not at all.
+/// By collocation the blade is found beyond the limit of the shortening, by steps it has no equilibrium.
 TEST(BladesOnDampedRing, LeaveTheModelWhereTheLoadThatBendsThemJumpsBelowTheirOwn) {
-  constexpr int kFirst = 107;
-  constexpr int kSecond = 129;
-  std::mt19937_64 generator(kSeedOnDampers);
   TimeOnArcs time;
-  for (int i = 1; i <= kSecond; ++i) {
-    const ElasticOnDampers m = elastic_on_dampers(generator);
-    if (i != kFirst && i != kSecond) continue;
+  for (const ElasticOnDampers& m : random_motions({107, 129})) {
     for (const bool collocates : {true, false})
       EXPECT_EQ(ending::status_of(revolution(m, kToleranceOnDampers, collocates, time).detail),
-                ending::PointStatus::left_validity)
-          << i;
+                ending::PointStatus::left_validity);
   }
 }
 
