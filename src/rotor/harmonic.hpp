@@ -38,10 +38,11 @@ class Harmonic {
 
   /// `amplitude` a [m per unit τ²], `phase` γ [rad], `frequency` ν [per unit τ].
   Harmonic(double amplitude, double phase, double frequency, double damping_ratio)
-      : amplitude_(amplitude),
-        phase_(phase),
-        frequency_(frequency),
-        dynamic_stiffness_(1.0 - frequency * frequency, 2.0 * damping_ratio * frequency) {}
+      : amplitude_(amplitude), phase_(phase), frequency_(frequency), at_zero_(std::polar(amplitude, phase)) {
+    const Complex dynamic_stiffness(1.0 - frequency * frequency, 2.0 * damping_ratio * frequency);
+    if (std::norm(dynamic_stiffness) > kNearResonance * kNearResonance)
+      steady_at_zero_ = at_zero_ / dynamic_stiffness;
+  }
 
   /// |a| [m per unit τ²], a bound of the acceleration; |a ν| and |a ν²|, bounds of its derivatives.
   [[nodiscard]] double amplitude() const { return amplitude_; }
@@ -51,14 +52,12 @@ class Harmonic {
   [[nodiscard]] double phase() const { return phase_; }          ///< γ [rad]
 
   /// Acceleration at time τ of the revolution [m per unit τ²].
-  [[nodiscard]] Complex acceleration(double time) const {
-    return std::polar(amplitude_, frequency_ * time + phase_);
-  }
+  [[nodiscard]] Complex acceleration(double time) const { return at_zero_ * turned(time); }
 
   /// Steady response at time τ of the revolution; none near resonance, where it may not exist.
   [[nodiscard]] std::optional<Steady> steady(double time) const {
-    if (std::norm(dynamic_stiffness_) <= kNearResonance * kNearResonance) return std::nullopt;
-    const Complex position = acceleration(time) / dynamic_stiffness_;
+    if (!steady_at_zero_) return std::nullopt;
+    const Complex position = *steady_at_zero_ * turned(time);
     const Complex velocity = Complex(0.0, frequency_) * position;
     return Steady{{position, velocity}, std::norm(position), std::norm(velocity)};
   }
@@ -72,13 +71,13 @@ class Harmonic {
   [[nodiscard]] Response from_rest(double start, double elapsed, const rotor::FreeMotion& free,
                                    const rotor::FreeMotion::Kernel& kernel) const {
     constexpr Complex i(0.0, 1.0);
-    const Complex turned = std::polar(1.0, frequency_ * elapsed);
-    const Complex unit = std::polar(amplitude_, frequency_ * start + phase_);
+    const Complex at_start = turned(start);
+    const Complex unit = at_zero_ * at_start;
     Response response;
-    if (std::norm(dynamic_stiffness_) > kNearResonance * kNearResonance) {
-      const Complex compliance = unit / dynamic_stiffness_;
+    if (steady_at_zero_) {
       response.position =
-          compliance * (turned - kernel.cosine - (i * frequency_ + free.damping_ratio()) * kernel.sine);
+          *steady_at_zero_ * at_start *
+          (turned(elapsed) - kernel.cosine - (i * frequency_ + free.damping_ratio()) * kernel.sine);
     } else {
       // Only underdamped rotors come here: kNearResonance bounds ζ.
       const double frequency = free.damped_frequency();
@@ -98,6 +97,11 @@ class Harmonic {
   static constexpr double kNearResonance =
       0.25;  ///< of |1 − ν² + 2iζν|: above, Z is at most four static ones
 
+  /// e^{iντ}; a static load does not turn.
+  [[nodiscard]] Complex turned(double time) const {
+    return frequency_ == 0.0 ? Complex(1.0, 0.0) : std::polar(1.0, frequency_ * time);
+  }
+
   /// (e^w − 1)/w without cancellation.
   static Complex relative_growth(Complex w) {
     if (w == Complex(0.0, 0.0)) return 1.0;
@@ -110,7 +114,8 @@ class Harmonic {
   double amplitude_;
   double phase_;
   double frequency_;
-  Complex dynamic_stiffness_;  ///< 1 − ν² + 2iζν
+  Complex at_zero_;                        ///< acceleration at τ = 0
+  std::optional<Complex> steady_at_zero_;  ///< steady position at τ = 0; none near resonance
 };
 
 /// The rotor's own unbalance: a = (me/m) Ω² (MODEL 1).
