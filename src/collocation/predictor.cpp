@@ -1,8 +1,12 @@
 #include "collocation/predictor.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <complex>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <span>
 
@@ -26,6 +30,27 @@ constexpr double kStraight = 1e-6;      ///< [rad]: an arc that turns by less ha
 constexpr double kSteep = 0.48;         ///< sine of the slope with which an arc may be followed down to p = 0
 constexpr double kReach = 0.15;         ///< of an arc: so far above p = 0 it is stretched to reach it
 constexpr double kLongestHalf = 1.5;    ///< [τ] half of a contact, as a first estimate
+
+/// error^(−1/kOrder) to half a per cent: a table over the errors' exponents and first bits. A power takes as
+/// long as what else follows from an error.
+double length_by_error(double error) {
+  constexpr int kFirstBits = 3;
+  constexpr double kLeast = 0x1p-15;  // beyond these lengths change by their limits
+  constexpr double kMost = 0x1p11;
+  const auto place = [](double number) {
+    return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(number) >> (52 - kFirstBits));
+  };
+  static const auto kTable = [&] {
+    std::array<double, (26 << kFirstBits) + 1> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      const auto middle =
+          std::bit_cast<double>(std::uint64_t{2 * (place(kLeast) + i) + 1} << (51 - kFirstBits));
+      table[i] = std::pow(middle, -1.0 / Predictor::kOrder);
+    }
+    return table;
+  }();
+  return kTable[place(std::clamp(error, kLeast, kMost)) - place(kLeast)];
+}
 
 /// Without the care of `std::hypot` for numbers near overflow.
 double length_of(double x, double y) {
@@ -204,8 +229,7 @@ void Predictor::guess(Interval& next) {
 }
 
 void Predictor::accepts(double error, const Interval* first) {
-  length_ = length_of_trial_ *
-            std::clamp(kAim * std::pow(std::max(error, 1e-12), -1.0 / kOrder), kLeastGrowth, kMostGrowth);
+  length_ = length_of_trial_ * std::clamp(kAim * length_by_error(error), kLeastGrowth, kMostGrowth);
   if (first == nullptr || rests_) return;
   double& share = share_of_first_[first->start_argument > 0.0 ? 1 : 0];
   share = std::min(std::sqrt(share * length_ / unit_length_), 1.0);
@@ -213,7 +237,7 @@ void Predictor::accepts(double error, const Interval* first) {
 
 bool Predictor::shortens(double error) {
   const double less =
-      error < kUnknownError ? std::max(kLeastRetry, kAim * std::pow(error, -1.0 / kOrder)) : kUnsolvedRetry;
+      error < kUnknownError ? std::max(kLeastRetry, kAim * length_by_error(error)) : kUnsolvedRetry;
   length_ = length_of_trial_ * less;
   return length_ > shortest_;
 }
