@@ -261,38 +261,6 @@ auto DirectedElastica::solve_for_coefficient(const Pose& at, double slip, double
   return newton(at, slip, angular_speed, *bend);
 }
 
-auto DirectedElastica::follow_coefficient(const Pose& at, double slip, double angular_speed, Bend bend) const
-    -> std::optional<Bend> {
-  constexpr double kFirstStep = 1e-3;  // of the largest c
-  constexpr int kDoublings = 11;       // from one end of its range to the other
-  const double largest = friction_.largest();
-  bool lost = false;
-  const auto excess = [&](double coefficient) {
-    const DirectedElastica law(direction_, geometry_, {length_, 0.0, 1.0}, {coefficient});
-    const auto root = law.newton(at, slip, angular_speed, bend);
-    evaluations_ += law.evaluations();
-    lost = lost || !root;
-    if (root) bend = *root;
-    return coefficient - constraint(at, slip, angular_speed, bend).coefficient;
-  };
-  const Constraint there = constraint(at, slip, angular_speed, bend);
-  double low = std::clamp(std::tan(there.misdirection + std::atan(there.coefficient)), -largest, largest);
-  double at_low = excess(low);
-  double high = low;
-  double at_high = at_low;
-  double step = std::copysign(kFirstStep * largest, -at_low);
-  for (int i = 0; i < kDoublings && !lost && at_low * at_high > 0.0; ++i, step *= 2.0) {
-    low = high;
-    at_low = at_high;
-    high = std::clamp(low + step, -largest, largest);
-    at_high = excess(high);
-  }
-  if (lost || at_low * at_high > 0.0) return std::nullopt;
-  excess(integrate::root_between(excess, low, high, at_low, at_high, kCoefficientBits));
-  if (lost) return std::nullopt;
-  return newton(at, slip, angular_speed, bend);
-}
-
 auto DirectedElastica::solve(const Pose& at, double slip, double angular_speed, double side) const
     -> std::optional<Bend> {
   if (friction_.depends_on_velocity()) return solve_for_coefficient(at, slip, angular_speed, side);
@@ -309,10 +277,7 @@ auto DirectedElastica::solve_near(const Pose& at, double slip, double angular_sp
     if (!amplitude) return solve(at, slip, angular_speed, side);
     start.amplitude = *amplitude;
   }
-  auto root = newton(at, slip, angular_speed, start);
-  if (friction_.depends_on_velocity()) {
-    if (!root) root = follow_coefficient(at, slip, angular_speed, start);
-  }
+  const auto root = newton(at, slip, angular_speed, start);
   return root ? root : solve(at, slip, angular_speed, side);
 }
 

@@ -186,7 +186,7 @@ class DirectedElastica {
   [[nodiscard]] std::optional<Bend> solve(const Pose& at, double slip, double angular_speed,
                                           double side) const;
 
-  /// The equilibrium next to the bend `near` and on its side; falls back on `follow_coefficient` and `solve`.
+  /// The equilibrium next to the bend `near` and on its side; falls back on `solve`.
   [[nodiscard]] std::optional<Bend> solve_near(const Pose& at, double slip, double angular_speed,
                                                const Bend& near) const;
 
@@ -275,11 +275,6 @@ class DirectedElastica {
   /// under each c.
   [[nodiscard]] std::optional<Bend> solve_for_coefficient(const Pose& at, double slip, double angular_speed,
                                                           double side) const;
-  /// The same from a neighbouring bend: starts at the c that belongs to the load of this bend, and follows
-  /// the equilibria as c changes. Newton's method with c = c(v) leaves these equilibria where c(v) is steep
-  /// and v changes its sign between the neighbours.
-  [[nodiscard]] std::optional<Bend> follow_coefficient(const Pose& at, double slip, double angular_speed,
-                                                       Bend bend) const;
   /// The smallest φ with d = 0 at a fixed κ, which has the smallest load.
   [[nodiscard]] std::optional<double> amplitude_of(const Pose& at, double slip, double angular_speed,
                                                    double modulus, double guess) const;
