@@ -195,8 +195,8 @@ const auto& own_table() {
           .source = "`jobs/studies/pieces.md`",
           .kind = Kind::whole_number,
           .range = between(1, 1e6),
-          .default_rule = "48; lines of up to 256 points are not cut where the section is absent, and none "
-                          "where it is null"},
+          .default_rule = "48; where the section is absent only lines above 256 points are cut, of scenes "
+                          "of fewer than 128 lines; none where it is null"},
          At<&Scene::pieces, &Pieces::points>{}),
       in({.pointer = "/pieces/lead_in",
           .symbol = "",

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -93,8 +94,12 @@ void check_pieces(const nlohmann::json& document, Scene& scene) {
 }  // namespace
 
 bool is_cut_unasked(const Scene& scene) {
-  return scene.grid.speed_ratio.size() > Pieces::kLongestWhole && scene.sweep != Sweep::independent &&
-         !(scene.wear && scene.wear->carries_over);
+  const std::size_t speeds = scene.grid.speed_ratio.size();
+  if (speeds <= Pieces::kLongestWhole || scene.sweep == Sweep::independent) return false;
+  if (scene.wear && scene.wear->carries_over) return false;
+  std::size_t points = scene.sweep == Sweep::both ? 2 : 1;
+  for (const Axis& axis : axes_of(scene)) points *= axis.values.size();
+  return points / speeds < Pieces::kManyLines;
 }
 
 void check_together(const nlohmann::json& document, Scene& scene) {

@@ -111,6 +111,21 @@ TEST(ResolvedScene, OfAnOlderProgramSweepsLinesWholeAndSettlesNever) {
   EXPECT_FALSE(nlohmann::json::parse(of_older_program(of_speeds(256), false)).contains("pieces"));
 }
 
+TEST(Pieces, AreOfLongLinesUnlessTheLinesOfASceneAreMany) {
+  const auto is_cut = [](int speeds, int lines, const std::string& rest) {
+    return parse_scene(fmt::format(R"({{"grid": {{"speed_ratio": {{"from": 0.1, "to": 0.9, "count": {}}},
+                                        "damping_ratio": {{"from": 0.1, "to": 0.2, "count": {}}}}}{}}})",
+                                   speeds, lines, rest))
+        .pieces.has_value();
+  };
+  EXPECT_TRUE(is_cut(257, 127, ""));
+  EXPECT_FALSE(is_cut(256, 127, ""));
+  EXPECT_FALSE(is_cut(257, 128, ""));
+  EXPECT_TRUE(is_cut(257, 63, R"(, "sweep": "both")"));
+  EXPECT_FALSE(is_cut(257, 64, R"(, "sweep": "both")")) << "up and down are two lines";
+  EXPECT_TRUE(is_cut(257, 128, R"(, "pieces": {})")) << "asked for";
+}
+
 TEST(SceneDifference, IsEmptyForTheSameMotion) {
   const std::string titled =
       resolved_json(parse_scene(R"({"title": "x", "reference": "y", "creator": "z", "license": "none",
