@@ -242,9 +242,9 @@ class AtlasQuestions(WithFolder):
 
     def test_safe_speeds_keep_the_limits_on_every_line_of_the_selection(self):
         for atlas, lines in ((self.atlas, slice(None)), (self.atlas.sel(damping_ratio=0.2), slice(2, 3))):
-            safe = ((self.displacement <= 8e-3) & ~(self.margin < 0.02) & (self.status == 1))[lines].all(axis=0)
+            safe = ((self.displacement <= 8e-3) & ~(self.margin < 0.008) & (self.status == 1))[lines].all(axis=0)
             inside = np.zeros(len(self.speed), dtype=bool)
-            for band in atlas.safe_speeds(max_displacement=8e-3, margin=0.02)["bands"]:
+            for band in atlas.safe_speeds(max_displacement=8e-3, margin=0.008)["bands"]:
                 inside |= (self.speed >= band["from"]) & (self.speed <= band["to"])
             self.assertTrue(in_bands(safe).any())
             np.testing.assert_array_equal(inside, in_bands(safe))
