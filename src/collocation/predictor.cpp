@@ -35,13 +35,15 @@ constexpr double kLongestHalf = 1.5;    ///< [τ] half of a contact, as a first 
 /// long as what else follows from an error.
 double length_by_error(double error) {
   constexpr int kFirstBits = 3;
-  constexpr double kLeast = 0x1p-15;  // beyond these lengths change by their limits
+  // Smaller and larger errors change a length by what its change is limited to.
+  constexpr double kLeast = 0x1p-15;
   constexpr double kMost = 0x1p11;
+  constexpr int kDoublings = 26;  // from one to the other
   const auto place = [](double number) {
     return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(number) >> (52 - kFirstBits));
   };
   static const auto kTable = [&] {
-    std::array<double, (26 << kFirstBits) + 1> table{};
+    std::array<double, (kDoublings << kFirstBits) + 1> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
       const auto middle =
           std::bit_cast<double>(std::uint64_t{2 * (place(kLeast) + i) + 1} << (51 - kFirstBits));

@@ -74,9 +74,9 @@ struct Pieces {
   int points = 48;  ///< of a piece; the last piece of a line may be shorter
   int lead_in = 0;  ///< points of the line before a piece, swept from `initial` on to lead into it
 
-  // Not cut unasked:
-  static constexpr std::size_t kLongestWhole = 256;  ///< points of a line
-  static constexpr std::size_t kManyLines = 128;     ///< lines of a scene: they keep ranks busy as they are
+  // Lines are cut unasked where they are longer than this, in a scene of fewer than so many.
+  static constexpr std::size_t kLongestWhole = 256;  ///< points
+  static constexpr std::size_t kManyLines = 128;     ///< keep ranks busy as they are
 };
 
 /// State of the shaft centre at phase 0 (MODEL 6).
