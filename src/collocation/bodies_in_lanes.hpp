@@ -96,6 +96,13 @@ struct BodyInLanes {
     vy = vy_next;
     return change;
   }
+  /// Moves the nodes on in τ.
+  void go_on(const Number& time_step) {
+    x = x + vx * time_step;
+    y = y + vy * time_step;
+    vx = vx + ax * time_step;
+    vy = vy + ay * time_step;
+  }
   /// Adds an acceleration.
   void add(const NodeTables& nodes, const Number& time_rate, const Number& more_x, const Number& more_y) {
     const auto to = [&](const Number& more, Number& place, Number& velocity, Number& acceleration) {

@@ -40,12 +40,15 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       further.square = Number(blade.square);
       further.lean = Number(blade.lean);
     }
-    const auto first_guess = [](const Body& body, typename Base::Motion& motion) {
-      motion.ax = body.acceleration[0];
-      motion.ay = body.acceleration[1];
+    // Newton's first step has to know how v changes with the nodes' times.
+    this->take_time_rate();
+    const Number per_rate = Number(1.0) / time_rate_;
+    const auto first_guess = [&](const Body& body, typename Base::Motion& motion) {
+      motion.ax = Number::combined(nodes_.slope, motion.vx - body.start[2]) * per_rate;
+      motion.ay = Number::combined(nodes_.slope, motion.vy - body.start[3]) * per_rate;
     };
     first_guess(interval.shaft, shaft_);
-    first_guess(interval.ring, ring_);
+    if (ring_moves()) first_guess(interval.ring, ring_);
   }
 
   bool solve() { return this->converge(*this, kMostSweeps, kFullSweeps); }
@@ -79,11 +82,13 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   InclinedPose<kWidth> pose_from(const TipStart& start, const Blade& blade, const Direction& er) const {
     return {pose_of(straight_tip(start, blade, er), blade.reach, er), angular_speed_};
   }
+  /// The shaft's, as seen from the ring.
+  Vector seen_acceleration() const {
+    return ring_moves() ? Vector{shaft_.ax - ring_.ax, shaft_.ay - ring_.ay} : Vector{shaft_.ax, shaft_.ay};
+  }
   Number e_rate_of(const Tip& tip, const InclinedPose<kWidth>& at, const Vector& er) const {
-    Vector acceleration{shaft_.ax, shaft_.ay};
-    if (ring_moves()) acceleration = {shaft_.ax - ring_.ax, shaft_.ay - ring_.ay};
-    return tip.e_rate(
-        at, {acceleration.x * er.x + acceleration.y * er.y, acceleration.y * er.x - acceleration.x * er.y});
+    const Vector a = seen_acceleration();
+    return tip.e_rate(at, {a.x * er.x + a.y * er.y, a.y * er.x - a.x * er.y});
   }
   /// du/dp, of which p² is known.
   static Number bending_slope_of(const InclinedLoad& load, const Number& square) {
@@ -145,18 +150,23 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       const Vector more = on_shaft(further_[k].push, offset_by(er_, offset));
       push = {push.x + more.x, push.y + more.y};
     }
-    const Vector expected{shaft_.vx + shaft_.ax * time_step, shaft_.vy + shaft_.ay * time_step};
+    const Vector before = seen_velocity();
+    const Vector rate = seen_acceleration();
+    const Vector expected{before.x + rate.x * time_step, before.y + rate.y * time_step};
     move(push);
-    if (lead_.inclined().rests) follow_slip<kLight>(expected);
-    return std::max(slip_left_,
-                    larger(magnitude(shaft_.vx - expected.x), magnitude(shaft_.vy - expected.y)).largest());
+    const bool rests = lead_.inclined().rests;
+    const Number slip = rests ? follow_slip<kLight>(expected) : Number(0.0);
+    const Vector found = seen_velocity();
+    const double change = larger(magnitude(found.x - expected.x), magnitude(found.y - expected.y)).largest();
+    if (rests) bend_to(slip);
+    return std::max(slip_left_, change);
   }
 
   /// Newton's step for the slip velocity of the leading tip: while it rests its load follows the shaft's
   /// velocity at once, which in turn is its integral, so that sweeps alone hardly converge. `expected`: the
-  /// velocity with which the tip was brought to rest.
+  /// velocity with which the tip was brought to rest. Returns the slip velocity that the load has followed.
   template <bool kLight>
-  void follow_slip(const Vector& expected) {
+  Number follow_slip(const Vector& expected) {
     const double per_radius = 1.0 / machine_.ring_radius;
     const auto& [a, b] = lead_.place;
     const Vector along_ring{(b * er_.x + a * er_.y) * -per_radius, (a * er_.x - b * er_.y) * per_radius};
@@ -164,38 +174,49 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       push_by_slip_ = on_shaft(lead_.push_by_slip(machine_.force_unit), er_);
       set_slip_coupling(along_ring);
     }
-    const Number change = along_ring.x * (shaft_.vx - expected.x) + along_ring.y * (shaft_.vy - expected.y);
+    const Vector found = seen_velocity();
+    const Number change = along_ring.x * (found.x - expected.x) + along_ring.y * (found.y - expected.y);
     AtNodes slips;
     change.store(slips);
     for (std::size_t k = 0; k < kNodes; ++k) eliminate(k, slips);
     const Number slip(slips);
     add_push({push_by_slip_.x * slip, push_by_slip_.y * slip});
+    return slip;
+  }
+  /// Bends the blade, at rest, to the load that has followed a slip velocity.
+  void bend_to(const Number& slip) {
+    const Number e = lead_.e_by_velocity() * slip;
+    const Number step = e * deviation_per_e_ * -1.0;
+    deviation_ = deviation_ + step;
+    lean_ = lean_ + e * lean_per_e_;
+    const Number time_step = step * interval_.normal.time;
+    shaft_.go_on(time_step);
+    if (ring_moves()) ring_.go_on(time_step);
   }
   /// Gauss's elimination of 1 − ∂v/∂v by the way of the load, [j][i]: what a change at node j makes at node
   /// i.
   [[gnu::noinline]] void set_slip_coupling(const Vector& along_ring) {
+    // The push moves a ring the other way.
+    const double closing = this->ring_has_mass() ? 1.0 + machine_.ring.force_unit / machine_.force_unit : 1.0;
     std::array<AtNodes, kNodes> matrix;
-    AtNodes rate_x, rate_y, along_x, along_y;
+    AtNodes rate_x, rate_y;
     (push_by_slip_.x * time_rate_).store(rate_x);
     (push_by_slip_.y * time_rate_).store(rate_y);
-    along_ring.x.store(along_x);
-    along_ring.y.store(along_y);
     for (std::size_t j = 0; j < kNodes; ++j) {
-      for (std::size_t i = 0; i < kNodes; ++i)
-        matrix[j][i] = -nodes_.integral[j][i] * (along_x[i] * rate_x[j] + along_y[i] * rate_y[j]);
+      const Number rate = along_ring.x * rate_x[j] + along_ring.y * rate_y[j];
+      (Number(nodes_.integral[j]) * rate * -closing).store(matrix[j]);
       matrix[j][j] += 1.0;
     }
     for (std::size_t k = 0; k < kNodes; ++k) {
       const double per_pivot = 1.0 / matrix[k][k];
-      for (std::size_t i = 0; i < kNodes; ++i) elimination_[k][i] = matrix[k][i] * per_pivot;
+      (Number(matrix[k]) * per_pivot).store(elimination_[k]);
       elimination_[k][k] = 1.0 - per_pivot;
       for (std::size_t j = k + 1; j < kNodes; ++j) eliminate(k, matrix[j]);
     }
   }
   /// Of all rows but one at a time.
   void eliminate(std::size_t k, AtNodes& column) const {
-    const double in_row = column[k];
-    for (std::size_t i = 0; i < kNodes; ++i) column[i] -= elimination_[k][i] * in_row;
+    (Number(column) - Number(elimination_[k]) * column[k]).store(column);
   }
 
   /// False where there is no such blade. `er`: its direction before the step in time. A function of its own:
