@@ -91,7 +91,7 @@ class InclinedLaw final : public ArcLaw {
     has_branches_ = load.along_normal || load.rests || load.friction.depends_on_velocity() ||
                     load.side * touch.slip < 0.0;
     const double lean = lean_of(touch.bend);
-    if (load.table == nullptr) set_knots(load, lean);
+    if (load.table == nullptr && touch.touches_down()) set_knots(load, lean);
     deflection_per_square_ = law_->of(leader_).length() * load.deflection_per_square(lean);
     return {argument_of(touch), lean};
   }
@@ -218,6 +218,7 @@ class InclinedLaw final : public ArcLaw {
     if (lean < kLeastLean) return false;
     InclinedLoad load = load_of(touch.blade);
     load.rests = false;
+    load.table = nullptr;  // of the contact before
     load.side = std::copysign(1.0, first);
     load.scale = 2.0 * lean;
     Machine machine{};
