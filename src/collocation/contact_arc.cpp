@@ -6,8 +6,6 @@
 #include <complex>
 #include <limits>
 
-#include "collocation/interval_samples.hpp"
-
 namespace rubatlas::collocation {
 namespace {
 
@@ -103,10 +101,14 @@ bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter, 
     static_cast<FurtherBladeStart&>(shorter.further[k]) =
         static_cast<const FurtherBladeStart&>(whole.further[k]);
   }
-  shorter.chord = {fraction * whole.chord.time, fraction * whole.chord.argument};
   shorter.normal = whole.normal;
-  read_stretch(contact_, whole, fraction, shorter);
-  return solve(shorter, true, closest);
+  return solve_up_to(whole, fraction, shorter, closest);
+}
+/// The same where the stretch already starts as the interval does, or is the interval itself.
+bool ContactArc::solve_up_to(const Interval& whole, double fraction, Interval& stretch, double closest) {
+  stretch.chord = {fraction * whole.chord.time, fraction * whole.chord.argument};
+  solver_.read_stretch(contact_, whole, fraction, stretch);
+  return solve(stretch, true, closest);
 }
 
 void ContactArc::move(Point& point, const Interval& interval, double late) {

@@ -239,6 +239,7 @@ class ContactArc {
   void guess_further(Interval& next) const;
   bool cut(const Interval& whole, double fraction, Interval& shorter,
            double closest = std::numeric_limits<double>::infinity());
+  bool solve_up_to(const Interval& whole, double fraction, Interval& stretch, double closest);
   /// `set_out` has given v its sign.
   [[nodiscard]] static bool slips_from_zero(double start_velocity) {
     return std::abs(start_velocity) == std::numeric_limits<double>::min();

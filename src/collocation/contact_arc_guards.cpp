@@ -252,12 +252,16 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
   const double closest = may_rest ? rounding : std::numeric_limits<double>::infinity();
   const double closest_fraction = may_rest ? kToRounding * kClosestFraction : kClosestFraction;
   double left_before = std::numeric_limits<double>::infinity();
+  double fraction_before = 0.0;
   for (int i = 0; i < (may_rest ? 2 * kTimes : kTimes); ++i) {
-    if (!cut(whole, ending.fraction, shorter, closest)) {
+    const bool solved = i == 0 ? cut(whole, ending.fraction, shorter, closest)
+                               : solve_up_to(shorter, ending.fraction / fraction_before, shorter, closest);
+    if (!solved) {
       // As closely as that it may not be known.
       if (!may_rest || !cut(whole, ending.fraction, shorter)) return false;
     }
     if (once) break;
+    fraction_before = ending.fraction;
     const double left = left_at_end(ending, shorter);
     rounding_at_end_ = 2.0 * std::abs(left);
     // What holds a tip may change so fast that the polynomial tells little of the slope: two places do. What

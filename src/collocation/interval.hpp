@@ -258,6 +258,11 @@ using BoundsOf = void (*)(const Contact& contact, const Interval& interval, Boun
 using LargestGap = double (*)(const Contact& contact, const Interval& interval, const Blade& blade,
                               const std::array<double, 2>& offset);
 
+/// Sets the places and velocities of a stretch to those of the interval up to θ, as a first guess. θ may be a
+/// little beyond 1, and both the same interval.
+using ReadStretch = void (*)(const Contact& contact, const Interval& interval, double fraction,
+                             Interval& stretch);
+
 struct IntervalSolver {
   Solve solve;
   SolveInclined solve_inclined;
@@ -266,6 +271,7 @@ struct IntervalSolver {
   BoundsOf bounds;
   BoundsOf inclined_bounds;
   LargestGap largest_gap;
+  ReadStretch read_stretch;
 };
 /// Those for this processor. All have the same bits: each has eight nodes, in parts of as many numbers as a
 /// register holds, and no fused operations.

@@ -227,47 +227,4 @@ double largest_coefficient(const AtPlaces& values) {
   return largest;
 }
 
-void read_stretch(const Contact& contact, const Interval& interval, double fraction, Interval& stretch) {
-  const NodeTables& tables = node_tables();
-  std::array<AtNodes, kPlaces> basis;
-  AtNodes sum{};
-  for (std::size_t j = 0; j < kPlaces; ++j) {
-    for (std::size_t i = 0; i < kNodes; ++i) {
-      basis[j][i] = tables.weight[j] / (fraction * tables.node[i] - tables.place[j]);
-      sum[i] += basis[j][i];
-    }
-  }
-  for (std::size_t j = 0; j < kPlaces; ++j) {
-    for (std::size_t i = 0; i < kNodes; ++i) basis[j][i] /= sum[i];
-  }
-  for (std::size_t i = 0; i < kNodes; ++i) {
-    if (std::isfinite(sum[i])) continue;  // else it is a place of the interval
-    const AtPlaces at_place = basis_at(fraction * tables.node[i]);
-    for (std::size_t j = 0; j < kPlaces; ++j) basis[j][i] = at_place[j];
-  }
-  const auto read = [&](double start, const AtNodes& from, AtNodes& to) {
-    AtNodes value{};
-    for (std::size_t i = 0; i < kNodes; ++i) value[i] = basis[0][i] * start;
-    for (std::size_t j = 0; j < kNodes; ++j) {
-      for (std::size_t i = 0; i < kNodes; ++i) value[i] += basis[j + 1][i] * from[j];
-    }
-    to = value;
-  };
-  read(0.0, interval.deviation, stretch.deviation);
-  const auto read_body = [&](const Body& from, Body& to) {
-    read(from.start[0], from.x, to.x);
-    read(from.start[1], from.y, to.y);
-    read(from.start[2], from.vx, to.vx);
-    read(from.start[3], from.vy, to.vy);
-  };
-  read_body(interval.shaft, stretch.shaft);
-  if (contact.machine->ring.moves) read_body(interval.ring, stretch.ring);
-  if (contact.leans) read(interval.start_lean, interval.lean, stretch.lean);
-  for (std::size_t k = 0; k < interval.further.size(); ++k) {
-    const FurtherBlade& from = interval.further[k];
-    read(from.start_square, from.square, stretch.further[k].square);
-    if (contact.leans) read(from.start_lean, from.lean, stretch.further[k].lean);
-  }
-}
-
 }  // namespace rubatlas::collocation

@@ -45,7 +45,4 @@ struct TipTop {
 std::optional<TipTop> top_of_tip(const Machine& machine, const Interval& interval, const Blade& blade,
                                  const std::array<double, 2>& offset);
 
-/// Sets the places and velocities of a stretch to those of the interval up to θ, as a first guess.
-void read_stretch(const Contact& contact, const Interval& interval, double fraction, Interval& stretch);
-
 }  // namespace rubatlas::collocation

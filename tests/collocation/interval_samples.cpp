@@ -93,10 +93,15 @@ TEST(IntervalSamples, AStretchStartsFromTheIntervalsPolynomials) {
   const collocation::Machine machine{};
   const collocation::Contact contact{&machine, nullptr, 1.0};
   const Interval interval = swing_with_top({0.5}, 0.1, 2.0);
+  const auto read_stretch = collocation::interval_solver().read_stretch;
   // Up to 1 the nodes of the stretch are those of the interval.
-  for (const double fraction : {1e-3, 0.3, 0.77, 1.0}) {
+  for (const double fraction : {1e-3, 0.3, 0.77, 1.0, 1.0 + 1e-9}) {
     Interval stretch;
     read_stretch(contact, interval, fraction, stretch);
+    Interval itself = interval;
+    read_stretch(contact, itself, fraction, itself);
+    EXPECT_EQ(itself.shaft.x.value, stretch.shaft.x.value);
+    EXPECT_EQ(itself.shaft.vx.value, stretch.shaft.vx.value);
     for (std::size_t i = 0; i < kNodes; ++i) {
       const AtPlaces basis = basis_at(fraction * node_tables().node[i]);
       EXPECT_NEAR(stretch.shaft.x[i],
