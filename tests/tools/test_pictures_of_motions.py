@@ -1,0 +1,124 @@
+"""Pictures of single motions, spectrum and orbit, and of the basins of all that there are."""
+import importlib
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy as np
+
+ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
+from pictures import TINY, Figure, PicturesCase, run  # noqa: E402
+from rubatlas import style  # noqa: E402
+from rubatlas.atlas_file import AtlasFile  # noqa: E402
+from rubatlas.palette import PALETTE  # noqa: E402
+
+
+class PicturesOfMotions(PicturesCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        subprocess.run([os.environ["RUBATLAS_PROGRAM"], "orbit", ROOT / "tests/tools/tiny.json", "--at",
+                        "speed_ratio=0.4,damping_ratio=0.1", "-o", cls.folder / "other.h5"], check=True,
+                       capture_output=True)
+
+    def test_the_spectrum_of_a_point_is_drawn(self):
+        self.expect_picture("spectrum", TINY / "atlas.h5", "--speed_ratio", 0.6)
+
+    def test_the_orbit_is_drawn(self):
+        self.expect_picture("orbit", TINY / "orbit.h5")
+
+    def test_forces_of_an_orbit_are_drawn_up_to_their_peaks(self):
+        forces = Figure("orbit", TINY / "orbit.h5", "--revolutions", 16).figure.axes[1]
+        with h5py.File(TINY / "orbit.h5") as orbit:
+            blade, force = orbit["contact_blade"][:], orbit["contact_force"][:]
+            sampled = orbit["force"][:].max(axis=0)
+        self.assertEqual(len(forces.lines), 3)
+        for number, curve in enumerate(forces.lines):
+            drawn = curve.get_ydata()
+            self.assertEqual(np.nanmax(drawn), force[blade == number + 1].max())
+            self.assertGreaterEqual(np.nanmax(drawn), sampled[number])
+            gaps = np.flatnonzero(np.isnan(drawn))  # each contact rises from zero and returns to it
+            np.testing.assert_array_equal(drawn[gaps - 1], 0.0)
+            np.testing.assert_array_equal(drawn[np.concatenate([[0], gaps[:-1] + 1])], 0.0)
+        self.assertGreater(max(np.diff(line.get_ydata()[~np.isnan(line.get_ydata())]).size for line in forces.lines),
+                           50)
+
+    def test_an_orbit_is_drawn_in_its_own_ring(self):
+        self.assertIn("clearance 9.5 mm", Figure("orbit", TINY / "rings_orbit.h5").texts())
+        self.assertIn("ring radius 0.1095", Figure("orbit", TINY / "rings_orbit.h5").texts())
+
+    def test_several_orbits_have_a_panel_each_with_sections_clearance_and_middle_of_the_ring(self):
+        figure = Figure("orbit", TINY / "orbit.h5", self.folder / "other.h5").figure
+        *planes, bottom = figure.axes
+        self.assertEqual(len(planes), 2)
+        for plane, path, speed in zip(planes, (TINY / "orbit.h5", self.folder / "other.h5"), (0.3, 0.4)):
+            with h5py.File(path) as orbit:
+                state, sections = orbit["state"][:], orbit["sections"][:]
+            self.assertTrue(plane.get_title(loc="left").endswith(f"speed ratio {speed}"))
+            path_of, dots, circle, middle = plane.lines
+            np.testing.assert_array_equal(path_of.get_xydata(), 1e3 * state[:, :2])
+            np.testing.assert_array_equal(dots.get_xydata(), 1e3 * sections[:, :2])
+            np.testing.assert_allclose(middle.get_xydata(), [[0.0, -10.01]])  # mm, the misalignment
+            np.testing.assert_allclose(np.hypot(*(circle.get_xydata() - middle.get_xydata()).T), 10.0)  # mm
+        self.assertIn("damping ratio 0.1", planes[0].get_title(loc="left"))
+        self.assertEqual([text.get_text() for text in bottom.get_legend().get_texts()],
+                         ["orbit", "section, once per revolution", "clearance 10 mm", "middle of the ring"])
+
+    def test_orbits_of_different_rotors_are_not_drawn_together(self):
+        ended = run("orbit", TINY / "orbit.h5", TINY / "rings_orbit.h5", "-o", "none.png")
+        self.assertEqual(ended.returncode, 2)
+        self.assertRegex(ended.stderr, r"^rubatlas-plot orbit: .*rings_orbit.h5 was not made from the scene of "
+                                       r".*orbit.h5: /ring/radius is 0.11 here and 0.1095 there\n$")
+
+    def test_basins_of_attraction_are_drawn(self):
+        self.expect_picture("basins", TINY / "basins.h5", "--maps", TINY / "basins_maps.h5", "--dpi", 100, colours=10)
+
+    def test_a_pixel_of_a_basin_has_the_colour_of_its_attractor(self):
+        figure = Figure("basins", TINY / "basins.h5", "--maps", TINY / "basins_maps.h5")
+        self.assertIn("Initial x [mm]", figure.texts())
+        self.assertIn("Initial vx [mm]", figure.texts())
+        with AtlasFile(TINY / "basins_maps.h5") as maps:
+            motion, attractor = (maps.dataset(name)[:, :, 0, 0, 0, 0, :] for name in ("class", "attractor"))
+        self.assertEqual(motion.shape, (5, 7, 2))  # initial_vx, initial_x, speed_ratio
+        self.assertEqual(set(attractor[:, :, 0].ravel()), {1})
+        self.assertLessEqual({1, 11}, set(motion[:, :, 1].ravel()))
+        colour = {kind: style.matplotlib.colors.to_rgba(entry["colour"]) for entry in PALETTE["classes"]
+                  for kind in range(entry["first"], entry["last"] + 1)}
+        for speed, panel in enumerate(figure.figure.axes):
+            wanted = [[colour[kind] for kind in row] for row in motion[:, :, speed]]
+            np.testing.assert_array_equal(panel.images[0].get_array(), wanted)
+            left, right, bottom, top = panel.images[0].get_extent()
+            np.testing.assert_allclose([left, right, bottom, top], [-0.5, 6.5, 3.25, 10.75])  # mm, half a step around
+
+    def test_attractors_of_one_colour_have_hatchings_of_their_own(self):
+        basins = importlib.import_module("rubatlas.plots.basins")
+        attractor, motion = np.array([[1, 2], [3, 4]]), np.array([[7, 7], [1, 9]])
+        found = [entry for entry, where in basins.cells_of(attractor, motion, np.ones((2, 2))) if where.any()]
+        self.assertEqual([entry["name"] for entry in found],
+                         ["1: period 7, 25.0 %", "2: period 7, 25.0 %", "3: period 1, 25.0 %", "4: period 9, 25.0 %"])
+        self.assertEqual(len({entry["colour"] for entry in found}), 2)
+        self.assertEqual(len({(entry["colour"], entry["hatch"]) for entry in found}), 4)
+
+    def test_basins_need_an_axis_of_the_initial_state(self):
+        ended = run("basins", TINY / "atlas.h5", "--maps", TINY / "maps.h5", "-o", "none.png")
+        self.assertEqual(ended.returncode, 2)
+        self.assertRegex(ended.stderr,
+                         r"^rubatlas-plot basins: .*: no axis of the initial state is left to draw over; "
+                         r"the atlas has .*\n$")
+
+    def test_of_many_initial_states_the_basins_are_drawn(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ended = run("all", TINY / "basins.h5", "-o", folder)
+            self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+            self.assertEqual([path.name for path in pathlib.Path(folder).iterdir()], ["basins.png"])
+
+
+if __name__ == "__main__":
+    unittest.main()
