@@ -152,6 +152,10 @@ class ArcSweeps {
   [[nodiscard]] bool ring_moves() const { return !kPlain && machine_.ring.moves; }
   [[nodiscard]] bool ring_is_massless() const { return !kPlain && machine_.ring.is_massless(); }
   [[nodiscard]] bool ring_has_mass() const { return ring_moves() && !ring_is_massless(); }
+  /// How much more than the shaft a ring with a mass moves under a push, the other way.
+  [[nodiscard]] double ring_share() const {
+    return ring_has_mass() ? machine_.ring.force_unit / machine_.force_unit : 0.0;
+  }
   [[nodiscard]] bool ripples() const { return !kPlain && machine_.ripples(); }
   [[nodiscard]] bool is_isotropic() const { return kPlain || machine_.support.isotropic; }
   Number elapsed() const { return chord_time_ + deviation_ * interval_.normal.time; }
@@ -294,7 +298,7 @@ class ArcSweeps {
   /// Of a ring with a mass, which the push on the shaft moves the other way.
   Vector acceleration_of_ring(const Vector& push) const {
     const Machine& m = machine_;
-    const double share = -m.ring.force_unit / m.force_unit;
+    const double share = -ring_share();
     const Vector place = ring_.place(interval_.ring);
     return {(push.x * share - place.x * m.ring.stiffness) - ring_.vx * m.ring.damping,
             (push.y * share - place.y * m.ring.stiffness) - ring_.vy * m.ring.damping};
@@ -310,7 +314,7 @@ class ArcSweeps {
   void add_push(const Vector& more) {
     shaft_.add(nodes_, time_rate_, more.x, more.y);
     if (!ring_moves()) return;
-    const double share = -machine_.ring.force_unit / machine_.force_unit;
+    const double share = -ring_share();
     ring_.add(nodes_, time_rate_, more.x * share, more.y * share);
   }
 

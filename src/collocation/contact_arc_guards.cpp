@@ -254,6 +254,7 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
   double left_before = std::numeric_limits<double>::infinity();
   double fraction_before = 0.0;
   for (int i = 0; i < (may_rest ? 2 * kTimes : kTimes); ++i) {
+    // Again from where it was cut, which mostly takes one sweep.
     const bool solved = i == 0 ? cut(whole, ending.fraction, shorter, closest)
                                : solve_up_to(shorter, ending.fraction / fraction_before, shorter, closest);
     if (!solved) {

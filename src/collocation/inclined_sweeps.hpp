@@ -196,8 +196,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   /// Gauss's elimination of 1 − ∂v/∂v by the way of the load, [j][i]: what a change at node j makes at node
   /// i.
   [[gnu::noinline]] void set_slip_coupling(const Vector& along_ring) {
-    // The push moves a ring the other way.
-    const double closing = this->ring_has_mass() ? 1.0 + machine_.ring.force_unit / machine_.force_unit : 1.0;
+    const double closing = 1.0 + this->ring_share();
     std::array<AtNodes, kNodes> matrix;
     AtNodes rate_x, rate_y;
     (push_by_slip_.x * time_rate_).store(rate_x);

@@ -252,13 +252,10 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   /// centre has p·p'' + p'·p' = 0 there.
   Number share_on_ring(const Vector& others, const Vector& full, const Blade& blade, const Direction& er) {
     this->accelerate(others);
-    const Machine& m = machine_;
     Vector acceleration{shaft_.ax, shaft_.ay};
-    double closing = 1.0;
     if (this->ring_has_mass()) {
       const Vector ring = this->acceleration_of_ring(others);
       acceleration = {acceleration.x - ring.x, acceleration.y - ring.y};
-      closing += m.ring.force_unit / m.force_unit;
     }
     const Number speed = angular_speed();
     const Number turning = this->angular_acceleration() * blade.reach;
@@ -272,7 +269,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     const Vector place = this->on_shaft(straight.place, er);
     const Number free = place.x * acceleration.x + place.y * acceleration.y + velocity.x * velocity.x +
                         velocity.y * velocity.y;
-    return free * (-1.0 / closing) / (place.x * full.x + place.y * full.y);
+    return free * (-1.0 / (1.0 + this->ring_share())) / (place.x * full.x + place.y * full.y);
   }
 
   [[nodiscard]] static bool is_straight(const Tip& tip) { return !kPlain && tip.straight; }
