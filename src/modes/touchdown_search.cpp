@@ -25,6 +25,8 @@ constexpr double kSpacing = 0.3;
 /// The remainder of a row is to be smaller than this share of R times the length scale; a gap is 2R times a
 /// distance.
 constexpr double kLargestRemainder = 1.0 / 8.0;
+/// The same of rows whose cubics have to show where tips pass: a ring that moves fast turns them round often.
+constexpr double kLargestRemainderOfPasses = 1.0 / 256.0;
 
 /// Whether a state in closed form costs more than a row of them.
 bool states_are_dear(const rotor::Machine& machine) {
@@ -152,14 +154,16 @@ double TouchdownSearch::fourth_bound(const Flight& flight, const FlightBound& bo
 }
 
 TouchdownSearch::Outlook TouchdownSearch::outlook(const Flight& flight, double time,
-                                                  const rotor::ShaftAndRing& bodies, double until) {
+                                                  const rotor::ShaftAndRing& bodies, double until,
+                                                  bool shows_passes) {
   // Where free motion grows, a bound over all the remaining time would be as large as that of its end.
   const double remaining = until - time;
   const double renewed = std::max(flight.time_of_bound(), FlightRow::kTimes * kClosest * first_spacing_);
   const bool in_pieces = renewed < remaining;
   const double horizon = in_pieces ? renewed : remaining;
   const double fourth = fourth_bound(flight, flight.bound(time, bodies, horizon));
-  const double allowed = kLargestRemainder * blades_.front().ring_radius * machine_->constants.length_scale;
+  const double share = shows_passes ? kLargestRemainderOfPasses : kLargestRemainder;
+  const double allowed = share * blades_.front().ring_radius * machine_->constants.length_scale;
   const auto suits = [&](double h) {
     return !(in_pieces && FlightRow::kTimes * h > renewed) && FlightRow::remainder(fourth, h) <= allowed;
   };
@@ -177,7 +181,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::in_rows(const Flight&
   const std::int64_t price = price_of_row(flight);
   double time = flight.start_time();
   forget_rows(bodies);
-  Outlook ahead = outlook(flight, time, bodies, until);
+  Outlook ahead = outlook(flight, time, bodies, until, false);
   const bool dear = states_are_dear(*machine_);
   for (int rows = 1; time < until; ++rows) {
     if (!meter.spend(Work::flight, price)) return std::nullopt;
@@ -214,7 +218,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::in_rows(const Flight&
     }
     const double next_end = time + FlightRow::kTimes * row.spacing();
     if (time < until && (ahead.shorter || (next_end > ahead.until && ahead.until < until)))
-      ahead = outlook(flight, time, bodies, until);
+      ahead = outlook(flight, time, bodies, until, false);
   }
   return std::nullopt;
 }

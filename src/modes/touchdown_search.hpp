@@ -83,8 +83,9 @@ class TouchdownSearch {
     FlightRow* row;
     bool shorter;  ///< the spacing is not the first
   };
+  /// `shows_passes`: the cubics of the rows show where tips pass, besides what may touch.
   [[nodiscard]] Outlook outlook(const Flight& flight, double time, const rotor::ShaftAndRing& bodies,
-                                double until);
+                                double until, bool shows_passes);
   FlightRow& row(std::size_t number, double spacing);
 
   std::optional<Touchdown> in_rows(const Flight& flight, rotor::ShaftAndRing bodies, double until,
@@ -108,7 +109,8 @@ class TouchdownSearch {
     int intervals;   ///< of the row that belong to the flight's way; the next row goes on after them
   };
   void forget_rows(const rotor::ShaftAndRing& bodies);
-  [[nodiscard]] bool rows_reach(double begin, const rotor::ShaftAndRing& bodies, double end) const;
+  [[nodiscard]] bool rows_reach(double begin, const rotor::ShaftAndRing& bodies, double end,
+                                double spacing) const;
   double look_along(const Flight& flight, double begin, double end, WorkMeter& meter);
   [[nodiscard]] std::int64_t price_of_row(const Flight& flight) const {
     return flight.price_of_state() + static_cast<std::int64_t>(blades_.size()) * WorkPrice::kGap;

@@ -41,7 +41,8 @@ std::optional<trajectory::Pass> TouchdownSearch::nearest_pass(const Flight& flig
       }
     }
   };
-  if (rows_reach(begin, bodies, end)) {
+  if (!rows_.empty() &&
+      rows_reach(begin, bodies, end, outlook(flight, begin, bodies, end, true).row->spacing())) {
     look_at_rows();
     return nearest;
   }
@@ -59,17 +60,19 @@ void TouchdownSearch::forget_rows(const rotor::ShaftAndRing& bodies) {
   rows_state_ = bodies;
 }
 
-/// Rows are kept from this state on as far as `end`.
-bool TouchdownSearch::rows_reach(double begin, const rotor::ShaftAndRing& bodies, double end) const {
-  return !rows_.empty() && rows_.front().begin == begin && (rows_state_ == bodies).all() &&
-         rows_.back().begin + rows_.back().intervals * rows_.back().spacing >= end;
+/// Rows of no larger spacing are kept from this state on as far as `end`.
+bool TouchdownSearch::rows_reach(double begin, const rotor::ShaftAndRing& bodies, double end,
+                                 double spacing) const {
+  return rows_.front().begin == begin && (rows_state_ == bodies).all() &&
+         rows_.back().begin + rows_.back().intervals * rows_.back().spacing >= end &&
+         std::ranges::all_of(rows_, [spacing](const KeptRow& row) { return row.spacing <= spacing; });
 }
 
 /// Keeps rows between two times, without a search, as far as memory and the meter allow: up to the time that
 /// is returned.
 double TouchdownSearch::look_along(const Flight& flight, double begin, double end, WorkMeter& meter) {
   rotor::ShaftAndRing bodies = flight.state(begin);
-  FlightRow& row = *outlook(flight, begin, bodies, end).row;
+  FlightRow& row = *outlook(flight, begin, bodies, end, true).row;
   forget_rows(bodies);
   const double length = FlightRow::kTimes * row.spacing();
   const auto count = static_cast<int>(std::min(std::ceil((end - begin) / length), double{kMostRows}));
