@@ -174,7 +174,7 @@ class ContactArc {
   static void move(Point& point, const Interval& interval, double late);
   void predict(const Touch& touch);
   void set_out(int blade, double slip, const std::complex<double>& acceleration, double& velocity) const;
-  [[nodiscard]] double slip_of_bent_tip_ahead(int blade, const std::complex<double>& acceleration) const;
+  void set_out_as_solved();
   [[nodiscard]] double slip_acceleration(int blade, const Point& point,
                                          const std::complex<double>& acceleration) const;
   [[nodiscard]] std::complex<double> tangent(int blade, const Point& point) const;
@@ -228,7 +228,7 @@ class ContactArc {
   bool stays_off(const Other& other, const Interval& interval, double allowed);
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it. Or
   /// its ending is met at once, where it starts.
-  enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, at_once, gives_up };
+  enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, at_once };
   Verdict judge(Ending& ending);
   bool solve_next(bool learns);
   void goes_on(const Ending& ending);

@@ -48,10 +48,7 @@ bool ContactArc::is_met_at_once(const Ending& ending) const {
     case Guard::slip_reversal:
       if (!contact_.leans) return false;  // it would reverse again at once
       break;
-    case Guard::fold:
-      // It has been passed by what sweeps leave. On another branch it might be met again at once.
-      if (!law_->releases_at_fold(blade_)) return false;
-      break;
+    case Guard::fold:  // it has been passed by what sweeps leave
     case Guard::loosening:
     case Guard::shortening_limit:
     case Guard::shaft_at_ring:

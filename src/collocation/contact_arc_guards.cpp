@@ -45,7 +45,12 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
   // Over p itself the last node is the unbent blade.
   const std::size_t count = interval.chord.time == 0.0 ? kNodes - 1 : kNodes;
   look(Guard::unbent, blade_, interval.start_argument, interval.argument, 1.0, count);
-  if (releases_at_fold || (law_->has_branches(blade_) && !is_straight(blade_)))
+  // Without other branches time stands still at the unbent blade, too, to rounding. On a ring with dampers it
+  // all but does where a blade has just bent.
+  const bool has_one_branch = law_->ends_at_ring() && !law_->is_rigid() && !is_next_to_unbent(interval);
+  const bool may_fold =
+      !is_straight(blade_) && (releases_at_fold || law_->has_branches(blade_) || has_one_branch);
+  if (may_fold)
     look(Guard::fold, blade_, sum_of_products(node_tables().value_at_start, interval.time_slope),
          interval.time_slope, 1.0, count);
   if (contact_.leans) look(Guard::chart_end, blade_, interval.start_chart_left, interval.chart_left, 1.0);

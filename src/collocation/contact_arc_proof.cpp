@@ -81,14 +81,14 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   if (!first) return Verdict::too_long;
   ending = *first;
   const bool in_part = ending.guard != Guard::none;
-  // Where its slip reverses, a straight blade on a ring with dampers may bend under so much load that the
-  // ring leaves it in that moment. Which way it slips when the ring is back, within some 1e-8, arcs and steps
-  // tell differently.
-  constexpr double kAtStart = 1e-11;  // θ
-  if (!law_->ends_at_ring() && begins_ && ending.guard == Guard::under_load && !(ending.fraction > kAtStart))
-    return Verdict::gives_up;
   Interval& part = intervals_[made_];  // what has been made before is not asked for again
   if (in_part) {
+    // It has been snapped to, or has set in, at the fold of its branch.
+    constexpr double kAtStart = 1e-11;  // θ
+    if (begins_ && ending.guard == Guard::fold && ending.fraction < kAtStart) {
+      ending.guard = guard_of_tip(ending.guard);
+      return Verdict::at_once;
+    }
     if (!cut_at(next, ending, part)) return Verdict::too_long;
     // The load that would bend a blade has a kink where its tip passes the deepest place: beyond it the
     // polynomial tells nothing of where it was pressed in, but that it is within times' rounding.
@@ -106,8 +106,16 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
       if (!stays_off(other, part, other.blade == ending.blade ? at_ring : 0.0)) return Verdict::too_long;
     }
   }
+  // Another is close to its fold, where it may have been solved for on the wrong side.
+  const auto leads_next = std::ranges::find(bounds.further, false, &Bounds::OfFurther::stays);
+  const bool may_change = leads_next != bounds.further.end() && lead_changes_ < kMostLeadChanges;
+  const auto change_leader = [&] {
+    begin_anew(1 + static_cast<std::size_t>(leads_next - bounds.further.begin()));
+    ++lead_changes_;
+    return Verdict::another_leads;
+  };
   // Bounds of shorter intervals tell.
-  if (!stays_valid(bounds, ending)) return Verdict::too_long;
+  if (!stays_valid(bounds, ending)) return begins_ && may_change ? change_leader() : Verdict::too_long;
   displacement_bound_ = bounds.displacement;
   argument_bound_ = bounds.argument;
   const bool held_beyond_ring = law_->releases_at_fold(blade_) && !is_straight(blade_);
@@ -127,13 +135,8 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
     if (!(kept.time_slope[i] > 0.0) && !may_turn) return Verdict::too_long;
   }
   // To the one that is close to its fold, and back to one that is closer.
-  for (std::size_t k = 0; k < further_.size(); ++k) {
-    if (bounds.further[k].stays) continue;
-    if (lead_changes_ == kMostLeadChanges) return Verdict::too_long;
-    begin_anew(k + 1);
-    ++lead_changes_;
-    return Verdict::another_leads;
-  }
+  if (may_change) return change_leader();
+  if (leads_next != bounds.further.end()) return Verdict::too_long;
   return in_part ? Verdict::holds_in_part : Verdict::holds;
 }
 

@@ -14,40 +14,35 @@
 
 namespace rubatlas::collocation {
 
-/// The sign of v where it starts from zero: that of s, or, of a tip that may slip back, of dv/dτ.
+/// The sign of v where it starts from zero: that of s, or, of a straight tip that may slip back, of dv/dτ.
 /// `acceleration`: of the shaft, seen from the ring.
 void ContactArc::set_out(int blade, double slip, const std::complex<double>& acceleration,
                          double& velocity) const {
   if (slip == 0.0 || std::abs(velocity) > slip_rounding()) return;
-  double ahead = slip;
-  if (law_->may_slip_back()) {
-    ahead = is_straight(blade) ? slip_acceleration(blade, end_, acceleration)
-                               : slip_of_bent_tip_ahead(blade, acceleration);
-  }
+  const double ahead =
+      law_->may_slip_back() && is_straight(blade) ? slip_acceleration(blade, end_, acceleration) : slip;
   velocity = std::copysign(std::numeric_limits<double>::min(), ahead);
 }
 
-/// v of a bent tip a little later.
-double ContactArc::slip_of_bent_tip_ahead(int blade, const std::complex<double>& acceleration) const {
-  constexpr double kLittle = 1e-6;  // τ
-  const Touch touch = touch_of(blade, end_);
-  const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
-  const ArcLaw::Tangent along = law_->tangent(touch, pose(blade, end_), blades_->angular_speed(end_.time),
-                                              acceleration * std::complex<double>(er.cosine, -er.sine));
-  Point later = end_;
-  later.time += kLittle;
-  later.bodies[0] += kLittle * end_.bodies[2];
-  later.bodies[1] += kLittle * end_.bodies[3];
-  later.bodies[2] += kLittle * acceleration.real();
-  later.bodies[3] += kLittle * acceleration.imag();
-  later.bodies[4] += kLittle * end_.bodies[6];
-  later.bodies[5] += kLittle * end_.bodies[7];
-  Bending bending = bending_of(blade, end_);
-  bending.argument += kLittle * along.argument / along.time;
-  bending.lean += kLittle * along.lean / along.time;
-  return law_
-      ->force(law_->touch(blade, touch.slip, bending), pose(blade, later), blades_->angular_speed(later.time))
-      .slip_velocity;
+/// The same of bent tips that may slip back, which the solved interval tells: their v follows from how they
+/// bend.
+void ContactArc::set_out_as_solved() {
+  if (!begins_ || !law_->may_slip_back()) return;
+  const auto sign_as_solved = [this](double slip, bool straight, const TipInTime& tip, double& velocity) {
+    if (slip == 0.0 || straight || !slips_from_zero(velocity)) return;
+    const double left = std::max(slip_rounding(), kClosest * tolerance_);
+    const auto known =
+        std::ranges::find_if(tip.slip_velocity.value, [left](double v) { return std::abs(v) > left; });
+    if (known != tip.slip_velocity.value.end()) velocity = std::copysign(velocity, *known);
+  };
+  Interval& next = trial();
+  sign_as_solved(contact_.slip, is_straight(blade_), next, at_end_.start_slip_velocity);
+  next.start_slip_velocity = at_end_.start_slip_velocity;
+  for (std::size_t k = 0; k < further_.size(); ++k) {
+    FurtherStart& further = further_[k];
+    sign_as_solved(further.slip, further.straight, next.further[k], further.tip.start_slip_velocity);
+    next.further[k].start_slip_velocity = further.tip.start_slip_velocity;
+  }
 }
 
 /// dv/dτ of a straight tip under an acceleration of the shaft, seen from the ring.

@@ -136,9 +136,10 @@ ModeEnd Collocated::end_of_arc() const {
       return {Guard::left_validity, blade, ending::StatusDetail::shaft_at_ring};
     case Reason::fold:
       // What follows on another branch is for the motion to find. A tip is free only outside the ring.
-      return {
-          law_->has_branches(blade) || !(pose(blade, arc_.end()).gap < 0.0) ? Guard::snap : Guard::lift_off,
-          blade};
+      if (law_->has_branches(blade)) return {Guard::snap, blade};
+      if (!law_->releases_at_fold(blade))
+        return {Guard::left_validity, blade, ending::StatusDetail::no_equilibrium};
+      return {pose(blade, arc_.end()).gap < 0.0 ? Guard::lift_off : Guard::snap, blade};
     default:
       return {Guard::lift_off, blade};
   }

@@ -22,9 +22,13 @@ using collocation::ArcLaw;
 
 namespace {
 
-/// Whether a blade's table covers all bends that are valid.
-bool has_table(const blade::ElasticaCurve& curve) {
-  return curve.over_asinh().last_piece() >= 0;
+/// Whether a blade's table covers all bends that are valid, and an arc resolves how its load sets in: with
+/// next to no friction it all but jumps at the touch-down.
+bool has_table(const blade::ElasticaCurve& curve, double max_shortening) {
+  constexpr double kLeastFriction = 1e-6;
+  const auto& knots = curve.over_asinh().knots();
+  const bool jumps = curve.friction() > 0.0 && curve.friction() < kLeastFriction;
+  return !jumps && !knots.empty() && knots.back().shortening > max_shortening;
 }
 bool takes(const std::optional<double>& root, OpenContact& contact) {
   if (root) contact.bending = *root;
@@ -49,7 +53,7 @@ std::unique_ptr<RestJudge> LawOfRigidBlades::rest_judge(const ContactSetup& setu
 std::unique_ptr<ArcLaw> LawOfDampedRing::arcs(const rotor::Machine& machine, double max_shortening) const {
   const int count = machine.blades.count();
   for (int k = 0; k < count; ++k) {
-    if (!(of(k).curve().friction() > 0.0) || !has_table(of(k).curve())) return nullptr;
+    if (!(of(k).curve().friction() > 0.0) || !has_table(of(k).curve(), max_shortening)) return nullptr;
   }
   return std::make_unique<collocation::DampedLaw>(blades(), count, max_shortening);
 }
@@ -99,7 +103,7 @@ Standing LawOfInclinedLoads::snap(const TipPlace& at, OpenContact& contact) cons
 std::unique_ptr<ArcLaw> LawOfAxialLoads::arcs(const rotor::Machine& machine, double max_shortening) const {
   const int count = machine.blades.count();
   for (int k = 0; k < count; ++k) {
-    if (!has_table(of(k).curve())) return nullptr;
+    if (!has_table(of(k).curve(), max_shortening)) return nullptr;
   }
   return std::make_unique<collocation::AxialLaw>(blades(), count, max_shortening);
 }

@@ -82,8 +82,9 @@ void expect_errors_within_tolerance_on_dampers(std::size_t wanted) {
     const auto [steps, steps_detail] = revolution(m, kToleranceOnDampers, false, others);
     const auto [collocated, collocated_detail] = revolution(m, kToleranceOnDampers, true, time);
     // Steps alone may run out of work, where the ring follows a load in far less time than the shaft does.
+    // Where the model ends, last digits choose between no equilibrium and too much shortening.
     if (exact_detail != ending::StatusDetail::contact_work) {
-      EXPECT_EQ(exact_detail, collocated_detail);
+      EXPECT_EQ(ending::status_of(exact_detail), ending::status_of(collocated_detail));
     }
     if (!exact || !steps || !collocated || *steps == *collocated) continue;  // it has not touched
     by_collocation.push_back(error_on_dampers(*collocated, *exact));
@@ -135,6 +136,10 @@ void expect_followed(const std::vector<int>& numbers) {
 
 TEST(BladesOnDampedRing, AreFollowedWhereTheyTurnOutwardsInsideItAsAnotherContactBegins) {
   expect_followed({441, 511, 538});
+}
+TEST(BladesOnDampedRing, SlipOnAsTheyBendWhereTheirSlipReverses) {
+  // The tip of an unbent blade sets out by how it bends, not by how a straight one would go.
+  expect_followed({191, 221});
 }
 TEST(BladesOnDampedRing, AreFollowedWhereTheyBendOnIt) {
   expect_followed({16, 165});

@@ -85,7 +85,7 @@ Outcome solve(const Rotor& rotor, const Phase& phase, double tolerance) {
   }
   held.begin(phase.start.time, phase.start.state, touching);
   while (arc.ending().guard == ContactArc::Guard::none) {
-    if (arc.make() == ContactArc::Outcome::gives_up) return {false, false, 0.0};
+    if (arc.make() != ContactArc::Outcome::made) return {false, false, 0.0};
   }
   const modes::Guard end = held.lifts_off() ? modes::Guard::lift_off
                            : arc.ending().guard == ContactArc::Guard::slip_reversal
