@@ -163,11 +163,11 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       ->type_name("VALUE");
   branch->add_flag("--both", branch_command.both, "As far to the other side, too");
   branch->add_flag("--switch", branch_command.doubled,
-                   "At the first period doubling follow the branch of twice the period, too");
+                   "At the period doubling nearest to --from follow the branch of twice the period, too");
   branch
       ->add_option("--curve", branch_command.curve,
-                   "Follow the first bifurcation of this kind in two quantities: fold, period_doubling or "
-                   "neimark_sacker")
+                   "Follow the bifurcation of this kind that is nearest to --from in two quantities: fold, "
+                   "period_doubling or neimark_sacker")
       ->type_name("KIND");
   branch->add_option("--in", branch_command.in, "The second quantity of a curve")->type_name("NAME");
   branch->add_option("--within", branch_command.within, "Limits of the second quantity: LOW HIGH")

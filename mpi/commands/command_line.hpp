@@ -38,7 +38,7 @@ struct BranchCommand {
   std::string along;                 ///< name of a quantity of the grid
   std::optional<double> to;          ///< where the branch ends, in its unit
   bool both = false;                 ///< and as far to the other side
-  bool doubled = false;              ///< the branch that begins at the first period doubling, too
+  bool doubled = false;              ///< the branch that begins at the nearest period doubling, too
   std::optional<std::string> curve;  ///< kind of bifurcation that is followed in two quantities
   std::optional<std::string> in;     ///< the second of them
   std::vector<double> within;        ///< its limits

@@ -21,11 +21,11 @@ struct Orbit {
   std::vector<double> quantities;  ///< that vary, in their units
   int period = 1;                  ///< in revolutions
   point::SectionMap map;           ///< over the period, from where the orbit is cut
-  Eigen::Vector4d mismatch;        ///< by how much it does not close, scaled
+  Eigen::Vector4d mismatch;        ///< by how much it does not close [clearances, and clearances per unit τ]
   bool admissible = true;          ///< every tip that touches does so where the orbit says
   Eigen::Vector4cd multipliers;    ///< Floquet, the largest first
   int cuts = 1;  ///< in a period, after each of which the motion repeats itself with other blades
-  /// A small difference δ of the unknowns at a cut has become δ' at the next, forward δ = backward δ'. Both
+  /// A small difference δ of the scaled unknowns at a cut has become δ' at the next, forward δ = backward δ'. Both
   /// are finite at a grazing, where a multiplier is not.
   Eigen::Matrix4d forward;
   Eigen::Matrix4d backward = Eigen::Matrix4d::Identity();

@@ -18,9 +18,9 @@ namespace rubatlas::modes {
 
 /// Bounds of shaft and ring while they fly.
 struct FlightBound {
-  double shaft;                ///< of |z| and |z'|
-  double ring_position = 0.0;  ///< of |r|
-  double ring_velocity = 0.0;  ///< of |r'|, and of the ring's energy norm
+  double shaft;                ///< of |z| [m] and |z'| [m per unit τ]
+  double ring_position = 0.0;  ///< of |r| [m]
+  double ring_velocity = 0.0;  ///< of |r'| [m per unit τ], and of the ring's energy norm
 
   /// Of |z − r| and |z' − r'|.
   [[nodiscard]] double position() const { return shaft + ring_position; }

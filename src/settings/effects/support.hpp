@@ -16,12 +16,12 @@ namespace rubatlas::effects {
 
 struct Support {
   double stiffness_xx = 0.0;      ///< Δkxx [N/m]
-  double stiffness_xy = 0.0;      ///< Δkxy [N/m]: force along x from a displacement along y
-  double stiffness_yx = 0.0;      ///< Δkyx [N/m]
+  double stiffness_xy = 0.0;      ///< Δkxy [N/m]: force −Δkxy y along x
+  double stiffness_yx = 0.0;      ///< Δkyx [N/m]: force −Δkyx x along y
   double stiffness_yy = 0.0;      ///< Δkyy [N/m]
   double damping_xx = 0.0;        ///< Δcxx [N s/m]
-  double damping_xy = 0.0;        ///< Δcxy [N s/m]
-  double damping_yx = 0.0;        ///< Δcyx [N s/m]
+  double damping_xy = 0.0;        ///< Δcxy [N s/m]: force −Δcxy dy/dt along x
+  double damping_yx = 0.0;        ///< Δcyx [N s/m]: force −Δcyx dx/dt along y
   double damping_yy = 0.0;        ///< Δcyy [N s/m]
   double rotating_damping = 0.0;  ///< cr [N s/m]
 

@@ -1,7 +1,7 @@
 /// Effect `wear`: blades lose length at their tips, in proportion to the work of friction there.
 ///
 /// Archard: a tip of area A that slides by s under the normal load F loses the volume K F s / H, H the
-/// hardness of the softer material, K the wear coefficient. With the work of friction W = ∫ μ F |v| dτ [J], v
+/// hardness of the softer material, K the wear coefficient. With the work of friction W = ∫ |c F v| dτ [J], v
 /// the slip velocity of MODEL 4.4, that is the length
 ///     ΔL = w W,   w = K / (μ H A)
 /// (Archard, J. Appl. Phys. 24 (1953) 981; Rabinowicz, Friction and Wear of Materials, 2nd edition 1995,
@@ -26,7 +26,7 @@ struct Wear {
   static constexpr Description kDescription{
       .section = "/wear",
       .meaning = "blades that lose length by the work of friction at their tips",
-      .equation = "L − w Σ W in place of L, W = ∫ μ F abs(v) dτ of a revolution, taken off at its end",
+      .equation = "L − w Σ W in place of L, W = ∫ abs(c F v) dτ of a revolution, taken off at its end",
       .source = "Archard 1953; Rabinowicz, Friction and Wear of Materials",
       .flight = "closed form: blades keep their lengths within a revolution",
       .breaks = "blade passing; a state alone no longer says how long the blades are",
