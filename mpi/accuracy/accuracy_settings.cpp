@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "mpi/exit_code.hpp"
+#include "settings/combinations.hpp"
 #include "settings/nearest.hpp"
 #include "settings/quantity.hpp"
 
@@ -46,6 +48,26 @@ void require_known(const std::string& method) {
                                settings::nearest(method, known)));
 }
 
+/// What the reader would say of the scene with this method.
+std::optional<std::string> refusal_of(std::string_view method, const settings::Scene& scene) {
+  return settings::refusal_of_combination(scene_with({.method = std::string(method)}, scene));
+}
+
+/// The methods to be compared.
+std::vector<std::string> methods_of(const std::vector<std::string>& named, const settings::Scene& scene) {
+  for (const auto& method : named) {
+    require_known(method);
+    if (const auto refusal = refusal_of(method, scene))
+      throw UsageError(fmt::format("--methods {}: {}", method, *refusal));
+  }
+  if (!named.empty()) return named;
+  std::vector<std::string> all;
+  for (const auto method : accuracy_methods()) {
+    if (!refusal_of(method, scene)) all.emplace_back(method);
+  }
+  return all;
+}
+
 /// The given values, or the usual ones where none are given. Each has to be within the range of its key in a
 /// scene.
 const std::vector<double>& ladder(const std::vector<double>& values, const std::vector<double>& usual,
@@ -78,6 +100,12 @@ std::vector<std::string_view> accuracy_methods() {
   return {words.begin(), words.end()};
 }
 
+std::vector<std::string_view> methods_left_out(const settings::Scene& scene) {
+  auto methods = accuracy_methods();
+  std::erase_if(methods, [&](std::string_view method) { return !refusal_of(method, scene); });
+  return methods;
+}
+
 std::vector<AccuracySetting> accuracy_settings(const AccuracyLadders& ladders, const settings::Scene& scene) {
   static const AccuracyLadders kUsual{.methods = {},
                                       .tolerances = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12},
@@ -89,11 +117,7 @@ std::vector<AccuracySetting> accuracy_settings(const AccuracyLadders& ladders, c
                                   "/accuracy/force_increment");
   const auto& steps = ladder(ladders.steps, kUsual.steps, "--steps", "/accuracy/step");
   require_room_for_the_reference(tolerances);
-  std::vector<std::string> methods = ladders.methods;
-  for (const auto& method : methods) require_known(method);
-  if (methods.empty()) {
-    for (const auto name : accuracy_methods()) methods.emplace_back(name);
-  }
+  const std::vector<std::string> methods = methods_of(ladders.methods, scene);
 
   const double tightest = *std::min_element(tolerances.begin(), tolerances.end());
   std::vector<AccuracySetting> settings{

@@ -218,7 +218,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   AccuracyLadders& ladders = accuracy_command.ladders;
   accuracy
       ->add_option("--methods", ladders.methods,
-                   fmt::format("Of {}; default: all", fmt::join(accuracy_methods(), ", ")))
+                   fmt::format("Of {}; default: all that take the scene's effects",
+                               fmt::join(accuracy_methods(), ", ")))
       ->delimiter(',')
       ->type_name("NAME,...");
   const auto add_ladder = [&](const char* name, std::vector<double>& values, const char* meaning) {

@@ -55,6 +55,25 @@ TEST(AccuracySettings, AllMethodsOfAScenesChoiceAreComparedUnlessSomeAreNamed) {
                                              "located", "fixed"}));
 }
 
+TEST(AccuracySettings, MethodsThatDoNotTakeTheScenesEffectsAreLeftOutUnlessTheyAreNamed) {
+  settings::Scene scene;
+  EXPECT_TRUE(methods_left_out(scene).empty());
+  scene.gravity.emplace();
+  std::set<std::string> compared;
+  for (const auto& setting : accuracy_settings({}, scene)) compared.insert(setting.method);
+  EXPECT_EQ(compared, (std::set<std::string>{"hybrid", "collocation"}));
+  EXPECT_EQ(methods_left_out(scene),
+            (std::vector<std::string_view>{"hybrid_54", "hybrid_32", "paper", "located", "fixed"}));
+  try {
+    static_cast<void>(accuracy_settings({.methods = {"hybrid", "fixed"}}, scene));
+    ADD_FAILURE() << "fixed is not refused";
+  } catch (const UsageError& refusal) {
+    EXPECT_STREQ(refusal.what(),
+                 "--methods fixed: /gravity: the method \"fixed\" computes the paper's rotor and its "
+                 "unbalance; effects need \"collocation\" or \"hybrid\"");
+  }
+}
+
 TEST(AccuracySettings, TheTwoKnobsOfThePublishedSchemeAreRefinedTogether) {
   const auto settings = settings_of({.methods = {"paper"}});
   ASSERT_GE(settings.size(), 4U);
