@@ -243,12 +243,23 @@ TEST_F(Analyse, SaysWhereBladesTouch) {
     EXPECT_NE(markdown.find(part), std::string::npos) << part << "\nin\n" << markdown;
   }
   const auto maps = atlas::File::open_to_read(file("maps.h5"));
-  EXPECT_EQ(maps.root().text("schema_version"), "5");
+  EXPECT_EQ(maps.root().text("schema_version"), "6");
   const auto contact = maps.dataset("contact").read<std::uint8_t>();
   EXPECT_EQ(std::ranges::count(contact, 2), 65);
   EXPECT_EQ(std::ranges::count(contact, 1), 117);
   EXPECT_NEAR(maps.dataset("table1/first_contact").read<double>()[0], 0.31, 1e-12);
   EXPECT_EQ(maps.dataset("table1/region_1_presence").read<std::uint8_t>()[1], 1) << "absent";
+}
+
+TEST_F(Analyse, TheMapsSayHowManyPointsTheAtlasHadFinished) {
+  write_atlas(file("atlas.h5"), kScene, [](const plan::PointParameters& at) {
+    return PrescribedPoint{1, at.damping_ratio > 0.2 ? 1e-4 : 2e-3};
+  });
+  static_cast<void>(run("atlas.h5"));
+  const auto finished =
+      std::ranges::count_if(atlas::AtlasReader(file("atlas.h5")).status(), [](auto one) { return one != 0; });
+  EXPECT_EQ(atlas::File::open_to_read(file("maps.h5")).root().number("points_finished"),
+            static_cast<double>(finished));
 }
 
 TEST_F(Analyse, SaysBeforeWhichLimitSignsWereFoundLineByLine) {

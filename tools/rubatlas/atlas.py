@@ -26,7 +26,7 @@ from rubatlas.judgement import MAY_NOT_OCCUR, Judgement, bands_of
 from rubatlas.plots.axes import Plots
 from rubatlas.plots.orbit import OrbitFile
 from rubatlas.program import Path, command, scene_file
-from rubatlas.same_scene import require_same
+from rubatlas.same_scene import require_maps_of
 
 # Points that are wanted, along axes of the selection or in its shape.
 Mask = xarray.DataArray | np.ndarray[Any, np.dtype[np.bool_]]
@@ -114,7 +114,7 @@ class Atlas:
                 quantities = _joined(atlas, None)
             else:
                 with AtlasFile(self.maps_path) as mapped:
-                    require_same(self.path, self.scene, self.maps_path, mapped.scene)
+                    require_maps_of(atlas, mapped)
                     quantities = _joined(atlas, mapped)
             title = text(self.scene.get("title", ""))
         # An axis with one value is no dimension but a number beside the data; the speed ratio always is one.

@@ -19,7 +19,7 @@ import h5py
 import numpy as np
 
 # Layout of maps that is read here; the names of their datasets are new in it.
-MAPS_VERSION = "5"
+MAPS_VERSION = "6"
 
 PENDING, DONE, LEFT_VALIDITY, INTEGRATOR_FAILED = 0, 1, 2, 3
 

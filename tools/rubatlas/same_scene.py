@@ -1,5 +1,7 @@
 """Whether two files are of the same scene. Every tool that draws two files together checks this first."""
-from rubatlas.atlas_file import AtlasError
+import numpy as np
+
+from rubatlas.atlas_file import PENDING, AtlasError
 
 # Keys that do not influence the motions of an atlas.
 WORDS = ("title", "reference", "creator", "license")
@@ -43,6 +45,16 @@ def require_same(path, scene, other_path, other_scene):
     found = differences(without(scene, WORDS), without(other_scene, WORDS))
     if found:
         refuse(path, other_path, found)
+
+
+def require_maps_of(atlas, maps):
+    """The maps are of the atlas: of its scene, and of every point that it has finished by now."""
+    require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+    finished = np.count_nonzero(atlas.dataset("status")[...] != PENDING)
+    known = maps.file.attrs.get("points_finished", finished)  # what lacks it is another kind of file, without classes
+    if finished != known:
+        raise AtlasError(f"{atlas.path} has {finished} points finished, and {maps.path} was made of {known}: `rubatlas "
+                         f"analyse {atlas.path} -o {maps.path} --overwrite` makes it anew")
 
 
 def require_same_machine(path, scene, other_path, other_scene):
