@@ -284,10 +284,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   if (status->parsed()) return status_command;
   if (explain->parsed()) return explain_command;
   if (orbit->parsed()) return orbit_command;
-  if (branch->parsed()) {
-    std::ranges::sort(branch_command.within);
-    return branch_command;
-  }
+  if (branch->parsed()) return branch_command;
   if (verify->parsed()) return verify_command;
   if (merge->parsed()) return merge_command;
   if (pack->parsed()) return pack_command;
