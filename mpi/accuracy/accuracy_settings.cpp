@@ -48,6 +48,25 @@ void require_known(const std::string& method) {
                                settings::nearest(method, known)));
 }
 
+/// What is named twice would be computed twice.
+template <typename Value>
+void require_each_once(const std::vector<Value>& values, std::string_view option) {
+  for (auto value = values.begin(); value != values.end(); ++value) {
+    if (std::find(values.begin(), value, *value) != value)
+      throw UsageError(fmt::format("{} {}: named twice", option, *value));
+  }
+}
+
+/// Values that no method is run with would be left out without a word.
+void require_readers(const std::vector<double>& values, std::string_view option, std::string_view pointer,
+                     const std::vector<std::string>& methods) {
+  const bool read = std::ranges::any_of(methods, [&](const auto& method) { return reads(method, pointer); });
+  if (values.empty() || read) return;
+  throw UsageError(fmt::format("{} {}: of the methods {} none reads it; {} does", option,
+                               fmt::join(values, ","), fmt::join(methods, ", "),
+                               fmt::join(settings::quantity(pointer).readers, ", ")));
+}
+
 /// What the reader would say of the scene with this method.
 std::optional<std::string> refusal_of(std::string_view method, const settings::Scene& scene) {
   return settings::refusal_of_combination(scene_with({.method = std::string(method)}, scene));
@@ -55,6 +74,7 @@ std::optional<std::string> refusal_of(std::string_view method, const settings::S
 
 /// The methods to be compared.
 std::vector<std::string> methods_of(const std::vector<std::string>& named, const settings::Scene& scene) {
+  require_each_once(named, "--methods");
   for (const auto& method : named) {
     require_known(method);
     if (const auto refusal = refusal_of(method, scene))
@@ -79,6 +99,7 @@ const std::vector<double>& ladder(const std::vector<double>& values, const std::
           fmt::format("{} {}: outside {}; {}", option, value, quantity.range.text(), quantity.meaning));
     }
   }
+  require_each_once(values, option);
   return values.empty() ? usual : values;
 }
 
@@ -118,6 +139,8 @@ std::vector<AccuracySetting> accuracy_settings(const AccuracyLadders& ladders, c
   const auto& steps = ladder(ladders.steps, kUsual.steps, "--steps", "/accuracy/step");
   require_room_for_the_reference(tolerances);
   const std::vector<std::string> methods = methods_of(ladders.methods, scene);
+  require_readers(ladders.force_increments, "--force-increments", "/accuracy/force_increment", methods);
+  require_readers(ladders.steps, "--steps", "/accuracy/step", methods);
 
   const double tightest = *std::min_element(tolerances.begin(), tolerances.end());
   std::vector<AccuracySetting> settings{

@@ -26,8 +26,8 @@ std::vector<std::string_view> accuracy_methods();
 std::vector<std::string_view> methods_left_out(const settings::Scene& scene);
 
 /// The reference (`hybrid`, ten times tighter than the tightest tolerance asked for), then the series of each
-/// method. Throws UsageError for an unknown method, for one that does not take the scene's effects, and for a
-/// value outside its range.
+/// method. Throws UsageError for an unknown method, for one that does not take the scene's effects, for a
+/// value outside its range, or that no method reads, and for what is named twice.
 std::vector<atlas::AccuracySetting> accuracy_settings(const AccuracyLadders& ladders,
                                                       const settings::Scene& scene);
 

@@ -242,6 +242,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       ->add_option(
           "--recompute", verify_command.recompute,
           "Compute so many rows again, spread over the grid; the build that made them has the same bits")
+      ->check(CLI::Range(0, 1000000000))
       ->type_name("ROWS");
 
   MergeCommand merge_command;

@@ -107,5 +107,13 @@ TEST(AccuracySettings, KnobsOutsideTheirRangesAreRefused) {
   EXPECT_THROW(static_cast<void>(settings_of({.steps = {-1e-3}})), UsageError);
 }
 
+TEST(AccuracySettings, WhatIsNamedTwiceOrReadByNoMethodIsRefused) {
+  EXPECT_THROW(static_cast<void>(settings_of({.methods = {"hybrid", "fixed", "hybrid"}})), UsageError);
+  EXPECT_THROW(static_cast<void>(settings_of({.tolerances = {1e-6, 1e-8, 1e-6}})), UsageError);
+  EXPECT_THROW(static_cast<void>(settings_of({.methods = {"hybrid"}, .steps = {1e-3}})), UsageError);
+  EXPECT_THROW(static_cast<void>(settings_of({.methods = {"fixed"}, .force_increments = {0.1}})), UsageError);
+  EXPECT_NO_THROW(static_cast<void>(settings_of({.force_increments = {0.1}, .steps = {1e-3}})));
+}
+
 }  // namespace
 }  // namespace rubatlas::mpi
