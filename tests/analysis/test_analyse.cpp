@@ -284,6 +284,22 @@ TEST_F(Analyse, SaysBeforeWhichLimitSignsWereFoundLineByLine) {
   EXPECT_NEAR(other.signatures[0].limit_speed_ratio, 0.3, 1e-9);
 }
 
+TEST_F(Analyse, SaysNothingOfSignsOnALineWithoutAPoint) {
+  const auto scene = with(kScene, R"("max_displacement"])", R"("max_displacement", "spectrum"])");
+  const auto said = [&](const std::string& name, double least_damping) {
+    write_atlas(file(name), scene, [&](const plan::PointParameters& at) {
+      PrescribedPoint point{1, 1e-4};
+      if (at.damping_ratio > least_damping) point.status = ending::PointStatus::left_validity;
+      return point;
+    });
+    return on_one_line(run(name));
+  };
+  const auto half = said("half.h5", 0.2);
+  EXPECT_NE(half.find("ζ = 0.1: 5 mm never passed."), std::string::npos) << half;
+  EXPECT_EQ(half.find("5 mm passed at"), std::string::npos) << half;
+  EXPECT_EQ(said("none.h5", 0.0).find("SIGNS BEFORE"), std::string::npos);
+}
+
 TEST_F(Analyse, KeepsToTheWidthOfATerminal) {
   write_atlas(file("atlas.h5"), kScene, papers_point);
   std::istringstream text(run("atlas.h5"));
