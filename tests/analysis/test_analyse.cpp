@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -37,14 +36,7 @@ class Analyse : public atlas::testing::Scratch {
  protected:
   /// What the command prints.
   std::string run(const std::string& name, const std::optional<std::filesystem::path>& table = std::nullopt) {
-    ::testing::internal::CaptureStdout();
-    try {
-      analyse(file(name), file("maps.h5"), table, true);
-    } catch (...) {
-      ::testing::internal::GetCapturedStdout();
-      throw;
-    }
-    return ::testing::internal::GetCapturedStdout();
+    return analyse(file(name), file("maps.h5"), table, true);
   }
 };
 

@@ -129,9 +129,17 @@ TEST(CommandLine, UnderMpirunOneRankSaysItAndAllEndWithTheCode) {
 
 TEST(CommandLine, AClosedStandardOutputIsTheEnvironmentsFault) {
   const Workplace place;
-  const auto ending = place.shell("'" RUBATLAS_PROGRAM "' --version >/dev/full");
-  EXPECT_EQ(ending.code, 3);
-  EXPECT_EQ(ending.messages, "rubatlas: standard output takes no more text\n");
+  static_cast<void>(place.write("s.json", kSmallScene));
+  ASSERT_EQ(place.rubatlas("run s.json -o a.h5 --progress off").code, 0);
+  for (const std::string arguments :
+       {"--version", "run s.json -o b.h5 --dry-run", "status a.h5", "explain s.json --measure 0",
+        "verify a.h5", "analyse a.h5 -o m.h5", "edges a.h5 --to 0.05 --progress off", "merge a.h5 -o w.h5",
+        "pack a.h5 -o p.h5"}) {
+    const auto ending = place.rubatlas(arguments + " >/dev/full");
+    EXPECT_EQ(ending.code, 3) << arguments;
+    EXPECT_TRUE(ending.messages.ends_with("rubatlas: standard output takes no more text\n"))
+        << arguments << ": " << ending.messages;
+  }
 }
 
 }  // namespace
