@@ -62,14 +62,21 @@ analysis::DisplacementLimit displacement_limit(const std::string& text) {
   throw UsageError(fmt::format("--limit {}: not {}", text, analysis::kLimitAllowed));
 }
 
-/// A mistyped command gets a sentence of its own instead of "a subcommand is required".
+constexpr std::array<std::string_view, 3> kOptions{"--help", "-h", "--version"};
+
+/// A mistyped command or option gets a sentence of its own instead of "a subcommand is required".
 void check_command(int argument_count, const char* const* arguments) {
   if (argument_count < 2) {
     throw UsageError(fmt::format("no command; commands are {}; rubatlas --help shows what is possible",
                                  fmt::join(kCommands, ", ")));
   }
   const std::string_view word = arguments[1];
-  if (word.starts_with('-') || std::find(kCommands.begin(), kCommands.end(), word) != kCommands.end()) return;
+  if (word.starts_with('-')) {
+    if (std::ranges::find(kOptions, word) != kOptions.end()) return;
+    throw UsageError(fmt::format("unknown option {}; before a command there are {}; commands are {}", word,
+                                 fmt::join(kOptions, ", "), fmt::join(kCommands, ", ")));
+  }
+  if (std::find(kCommands.begin(), kCommands.end(), word) != kCommands.end()) return;
   throw UsageError(fmt::format("unknown command {}; commands are {}; nearest: {}", word,
                                fmt::join(kCommands, ", "), settings::nearest(word, kCommands)));
 }

@@ -65,6 +65,14 @@ TEST(CommandLine, AWrongCallIsOneSentenceAndExitCodeTwo) {
   EXPECT_NE(says("run s.json -o a.h5 --resume --overwrite").find("--resume"), std::string::npos);
   EXPECT_NE(says("run s.json -o a.h5 --resmue").find("--resmue"), std::string::npos);
   EXPECT_NE(says("explain").find("SCENE is required"), std::string::npos);
+  EXPECT_EQ(
+      says("--foo"),
+      "rubatlas: unknown option --foo; before a command there are --help, -h, --version; commands are run, "
+      "status, explain, orbit, branch, analyse, edges, accuracy, verify, merge, pack\n");
+  static_cast<void>(place.write("s.json", kSmallScene));
+  EXPECT_EQ(says("run s.json -o ''"),
+            "rubatlas: the file for an atlas has an empty name; a path is wanted\n");
+  EXPECT_NE(says("verify a.h5 --recompute -1").find("--recompute: Value -1 not in range"), std::string::npos);
 }
 
 TEST(CommandLine, AWrongSceneIsOneSentenceAndExitCodeTwoBeforeAnyFile) {
