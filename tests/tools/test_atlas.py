@@ -308,6 +308,10 @@ class AtlasQuestions(WithFolder):
         with h5py.File(self.folder / "a_edges.h5", "w") as file:
             file["edges/lower"], file["edges/upper"] = [0.3, 0.5], [0.31, 0.51]
         np.testing.assert_array_equal(rubatlas.open(self.folder / "a.h5").edges["upper"], [0.31, 0.51])
+        with h5py.File(self.folder / "a_edges.h5", "r+") as file:
+            file["edges"].attrs["points_finished"] = 1
+        with self.assertRaisesRegex(rubatlas.AtlasError, r"a_edges.h5 was made of 1: `rubatlas edges \S+a.h5 -o "):
+            _ = rubatlas.open(self.folder / "a.h5").edges
 
     def test_an_orbit_starts_from_the_state_that_the_atlas_keeps(self):
         orbit = self.atlas.orbit(0.3, damping_ratio=0.2)

@@ -106,6 +106,8 @@ def printable(value):
 # Exceptions of h5py for data that are missing, of another kind, or damaged.
 UNREADABLE = (OSError, KeyError, ValueError, RuntimeError, TypeError, IndexError, AttributeError, StopIteration)
 
+EDGES = "a file of edges that `rubatlas edges` has written"  # as `reading` names it
+
 
 @contextlib.contextmanager
 def reading(path, what):
