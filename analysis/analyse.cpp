@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <initializer_list>
 #include <limits>
 #include <map>
@@ -16,7 +15,6 @@
 #include "analysis/rules/attractors.hpp"
 #include "analysis/rules/scene_tolerances.hpp"
 #include "analysis/rules/starts.hpp"
-#include "atlas/environment_error.hpp"
 #include "atlas/output.hpp"
 #include "atlas/publish.hpp"
 #include "atlas/verify.hpp"
@@ -254,9 +252,9 @@ void enter_edges(Findings& found, EdgeTable edges) {
   found.edges = std::move(edges);
 }
 
-void analyse(const std::filesystem::path& atlas, const std::filesystem::path& maps,
-             const std::optional<std::filesystem::path>& table, bool overwrite,
-             const std::optional<std::filesystem::path>& edges, const DisplacementLimit& limit) {
+std::string analyse(const std::filesystem::path& atlas, const std::filesystem::path& maps,
+                    const std::optional<std::filesystem::path>& table, bool overwrite,
+                    const std::optional<std::filesystem::path>& edges, const DisplacementLimit& limit) {
   const auto existing = atlas::existing(overwrite);
   std::vector<std::filesystem::path> others{atlas};
   if (edges) others.push_back(*edges);
@@ -270,11 +268,7 @@ void analyse(const std::filesystem::path& atlas, const std::filesystem::path& ma
   if (edges) enter_edges(found, read_edges(*edges, found, reader));
   write_maps(maps_output, found, reader, atlas.filename().string());
   if (table_output) atlas::publish_text(*table_output, markdown_report(found));
-  const auto text = plain_report(found);
-  const bool printed = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (!printed || std::fflush(stdout) != 0) {
-    throw atlas::EnvironmentError("the standard output cannot be written");
-  }
+  return plain_report(found);
 }
 
 }  // namespace rubatlas::analysis

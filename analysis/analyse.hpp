@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "analysis/displacement_limit.hpp"
 #include "analysis/findings.hpp"
@@ -15,15 +16,15 @@ namespace rubatlas::analysis {
 /// done are left out. `limit`: the displacement before which signs in the spectrum are looked for.
 Findings examine(const atlas::AtlasReader& atlas, const DisplacementLimit& limit = {});
 
-/// Prints the result on the standard output, writes MAPS.h5 and, where asked, the Markdown table, each
+/// Returns the result as text, writes MAPS.h5 and, where asked, the Markdown table, each
 /// completely or not at all; with `overwrite` they replace older ones. Throws atlas::EnvironmentError when a
 /// file cannot be read or written, or a row of the atlas does not match its checksum; atlas::OutputRefusal
 /// when an output exists and must not be replaced. `edges`: a file of the atlas's edges (`edges_file.hpp`),
 /// which the table then quotes with their uncertainty, and the maps contain.
-void analyse(const std::filesystem::path& atlas, const std::filesystem::path& maps,
-             const std::optional<std::filesystem::path>& table, bool overwrite,
-             const std::optional<std::filesystem::path>& edges = std::nullopt,
-             const DisplacementLimit& limit = {});
+std::string analyse(const std::filesystem::path& atlas, const std::filesystem::path& maps,
+                    const std::optional<std::filesystem::path>& table, bool overwrite,
+                    const std::optional<std::filesystem::path>& edges = std::nullopt,
+                    const DisplacementLimit& limit = {});
 
 /// Enters the edges of an atlas into its findings.
 void enter_edges(Findings& found, EdgeTable edges);

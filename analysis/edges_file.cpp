@@ -17,8 +17,6 @@ namespace {
 using atlas::Dataset;
 using atlas::File;
 
-constexpr const char* kPointsFinished = "points_finished";
-
 /// Creates and reads the columns of the group, each under one name.
 class Columns {
  public:
@@ -67,11 +65,6 @@ void create_classes(Columns& columns, const std::string& name, const std::vector
   columns.create_flags(name, values, long_name, flags, meanings + "left_validity aperiodic");
 }
 
-std::int64_t finished_points(const Findings& found) {
-  const auto& [pending, done, left, failed] = found.status_count;
-  return static_cast<std::int64_t>(done + left + failed);
-}
-
 }  // namespace
 
 void create_edges(File& file, const Findings& found) {
@@ -81,7 +74,7 @@ void create_edges(File& file, const Findings& found) {
   group.set_text("long_name", "where the motion changes along the speed ratio, narrowed down by new points");
   group.set_number("resolution", table.resolution);
   group.set_number<std::uint8_t>("only_regions", table.only_regions ? 1 : 0);
-  group.set_number<std::int64_t>(kPointsFinished, finished_points(found));
+  group.set_number<std::int64_t>(kPointsFinished, found.points_finished());
 
   Columns columns(file, edges.size());
   columns.create("line", column<std::int32_t>(edges, [](const Edge& edge) { return edge.line; }),
@@ -149,10 +142,10 @@ EdgeTable read_edges(const std::filesystem::path& path, const Findings& found,
   }
   const auto group = file.group("/edges");
   if (const double finished = group.number(kPointsFinished);
-      finished != static_cast<double>(finished_points(found))) {
+      finished != static_cast<double>(found.points_finished())) {
     throw settings::SceneError(fmt::format(
         "{} was made when {} of the atlas's points were finished, and now there are {}; make it again", name,
-        finished, finished_points(found)));
+        finished, found.points_finished()));
   }
   EdgeTable table{.resolution = group.number("resolution"),
                   .only_regions = group.number("only_regions") != 0.0};

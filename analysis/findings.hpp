@@ -23,6 +23,9 @@
 
 namespace rubatlas::analysis {
 
+/// The attribute of maps and edges that keeps `Findings::points_finished`.
+constexpr const char* kPointsFinished = "points_finished";
+
 struct Findings {
   settings::Scene scene;
   std::vector<plan::Axis> axes;  ///< of the atlas, `speed_ratio` last
@@ -50,6 +53,12 @@ struct Findings {
   std::vector<SignHeights> sign_heights{};
   std::vector<LineSignature> signatures{};
   std::optional<EdgeTable> edges{};  ///< where they have been computed (`rubatlas edges`)
+
+  /// Points of the atlas that have rows: what is found of fewer points is not what the atlas shows.
+  [[nodiscard]] std::int64_t points_finished() const {
+    const auto& [pending, done, left, failed] = status_count;
+    return static_cast<std::int64_t>(done + left + failed);
+  }
 };
 
 }  // namespace rubatlas::analysis

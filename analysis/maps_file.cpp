@@ -128,6 +128,7 @@ void write_maps(const atlas::Output& output, const Findings& found, const atlas:
     auto again = file.root();
     again.set_text("atlas", atlas_name);
     again.set_text("atlas_identifier", settings::identifier_of(found.scene));
+    again.set_number<std::int64_t>(kPointsFinished, found.points_finished());
     file.create_text("scene_resolved", atlas.scene_resolved())
         .set_text("long_name", "the scene of the atlas, with every default and every axis value written out");
     const auto shape = atlas.shape();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/report_parts.hpp"
@@ -33,6 +34,11 @@ std::string sentence_of(const LineSignature& line, int blades) {
   return text + ".";
 }
 
+/// Of a line that left the model everywhere nothing is known that a sign could announce.
+bool has_points(const Line& line) {
+  return std::ranges::any_of(line.max_displacement, [](double value) { return !std::isnan(value); });
+}
+
 }  // namespace
 
 std::vector<std::string> signature_sentences(const Findings& found) {
@@ -45,8 +51,12 @@ std::vector<std::string> signature_sentences(const Findings& found) {
                   "displacement passes the "
                   "limit, or where that never happens.",
                   kSignRise, blades)};
-  for (std::size_t line = 0; line < found.signatures.size(); ++line)
-    sentences.push_back(line_text(found, line) + sentence_of(found.signatures[line], blades));
+  const std::size_t explained = sentences.size();
+  for (std::size_t line = 0; line < found.signatures.size(); ++line) {
+    if (has_points(found.lines[line].line))
+      sentences.push_back(line_text(found, line) + sentence_of(found.signatures[line], blades));
+  }
+  if (sentences.size() == explained) sentences.clear();
   return sentences;
 }
 

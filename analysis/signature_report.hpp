@@ -8,7 +8,8 @@
 
 namespace rubatlas::analysis {
 
-/// What a sign is, and one sentence for each line; empty where the spectra of the atlas show no signs.
+/// What a sign is, and one sentence for each line that has a point; empty where there is none, or where the
+/// spectra of the atlas show no signs.
 std::vector<std::string> signature_sentences(const Findings& found);
 
 }  // namespace rubatlas::analysis

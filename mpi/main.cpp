@@ -13,12 +13,10 @@
 //      accuracy scene → every method and tolerance → error and time    (accuracy_command)
 //   3. whatever goes wrong becomes one message and an exit code        (failure)
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <optional>
@@ -26,7 +24,6 @@
 #include <variant>
 
 #include "analysis/analyse.hpp"
-#include "atlas/environment_error.hpp"
 #include "mpi/commands/accuracy_command.hpp"
 #include "mpi/commands/branch_command.hpp"
 #include "mpi/commands/command_line.hpp"
@@ -41,17 +38,12 @@
 #include "mpi/exit_code.hpp"
 #include "mpi/failure.hpp"
 #include "mpi/job/session.hpp"
+#include "mpi/say.hpp"
 #include "settings/reader.hpp"
 #include "settings/scene_file.hpp"
 
 namespace rubatlas::mpi {
 namespace {
-
-void print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    throw atlas::EnvironmentError("standard output takes no more text");
-  }
-}
 
 int carry_out(const PrintCommand& command) {
   print(command.text);
@@ -87,8 +79,8 @@ int carry_out(const BranchCommand& command) {
 }
 
 int carry_out(const AnalyseCommand& command) {
-  analysis::analyse(command.atlas, command.maps, command.table, command.overwrite, command.edges,
-                    command.limit);
+  print(analysis::analyse(command.atlas, command.maps, command.table, command.overwrite, command.edges,
+                          command.limit));
   return exit_code::kDone;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "atlas/environment_error.hpp"
 #include "settings/printable.hpp"
 
 namespace rubatlas::mpi {
@@ -16,6 +17,12 @@ void say(std::string_view text) {
 
 void say_sentence(std::string_view sentence) {
   say(fmt::format("rubatlas: {}\n", settings::printable(sentence)));
+}
+
+void print(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw atlas::EnvironmentError("standard output takes no more text");
+  }
 }
 
 }  // namespace rubatlas::mpi

@@ -1,4 +1,4 @@
-/// Sentences on standard error.
+/// Sentences on standard error, and results on standard output.
 #pragma once
 
 #include <string_view>
@@ -12,5 +12,9 @@ void say(std::string_view text);
 /// "rubatlas: " and a sentence, on a line of its own. The sentence may contain texts from files and is
 /// therefore made printable.
 void say_sentence(std::string_view sentence);
+
+/// A result, on standard output. Throws atlas::EnvironmentError where that takes no more text: who asked for
+/// the result has not got it.
+void print(std::string_view text);
 
 }  // namespace rubatlas::mpi

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import h5py
 import numpy as np
 from rubatlas.atlas_file import AtlasError, AtlasFile, beside
-from rubatlas.same_scene import require_same
+from rubatlas.same_scene import require_maps_of
 
 from paper.line import Line, Numbers, Region, Trigger
 
@@ -24,7 +24,7 @@ class AtlasLines:
         if place is None:
             raise AtlasError(f"{atlas}: no maps beside it; `rubatlas analyse` makes them")
         self._maps = AtlasFile(place)
-        require_same(atlas, self._atlas.scene, place, self._maps.scene)
+        require_maps_of(self._atlas, self._maps)
         if "table1" not in self._maps:
             raise AtlasError(f"{place}: no /table1; these are no maps of `rubatlas analyse`")
         self.path = atlas

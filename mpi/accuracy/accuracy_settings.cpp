@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "mpi/exit_code.hpp"
+#include "settings/combinations.hpp"
 #include "settings/nearest.hpp"
 #include "settings/quantity.hpp"
 
@@ -46,6 +48,46 @@ void require_known(const std::string& method) {
                                settings::nearest(method, known)));
 }
 
+/// What is named twice would be computed twice.
+template <typename Value>
+void require_each_once(const std::vector<Value>& values, std::string_view option) {
+  for (auto value = values.begin(); value != values.end(); ++value) {
+    if (std::find(values.begin(), value, *value) != value)
+      throw UsageError(fmt::format("{} {}: named twice", option, *value));
+  }
+}
+
+/// Values that no method is run with would be left out without a word.
+void require_readers(const std::vector<double>& values, std::string_view option, std::string_view pointer,
+                     const std::vector<std::string>& methods) {
+  const bool read = std::ranges::any_of(methods, [&](const auto& method) { return reads(method, pointer); });
+  if (values.empty() || read) return;
+  throw UsageError(fmt::format("{} {}: of the methods {} none reads it; {} does", option,
+                               fmt::join(values, ","), fmt::join(methods, ", "),
+                               fmt::join(settings::quantity(pointer).readers, ", ")));
+}
+
+/// What the reader would say of the scene with this method.
+std::optional<std::string> refusal_of(std::string_view method, const settings::Scene& scene) {
+  return settings::refusal_of_combination(scene_with({.method = std::string(method)}, scene));
+}
+
+/// The methods to be compared.
+std::vector<std::string> methods_of(const std::vector<std::string>& named, const settings::Scene& scene) {
+  require_each_once(named, "--methods");
+  for (const auto& method : named) {
+    require_known(method);
+    if (const auto refusal = refusal_of(method, scene))
+      throw UsageError(fmt::format("--methods {}: {}", method, *refusal));
+  }
+  if (!named.empty()) return named;
+  std::vector<std::string> all;
+  for (const auto method : accuracy_methods()) {
+    if (!refusal_of(method, scene)) all.emplace_back(method);
+  }
+  return all;
+}
+
 /// The given values, or the usual ones where none are given. Each has to be within the range of its key in a
 /// scene.
 const std::vector<double>& ladder(const std::vector<double>& values, const std::vector<double>& usual,
@@ -57,6 +99,7 @@ const std::vector<double>& ladder(const std::vector<double>& values, const std::
           fmt::format("{} {}: outside {}; {}", option, value, quantity.range.text(), quantity.meaning));
     }
   }
+  require_each_once(values, option);
   return values.empty() ? usual : values;
 }
 
@@ -78,6 +121,12 @@ std::vector<std::string_view> accuracy_methods() {
   return {words.begin(), words.end()};
 }
 
+std::vector<std::string_view> methods_left_out(const settings::Scene& scene) {
+  auto methods = accuracy_methods();
+  std::erase_if(methods, [&](std::string_view method) { return !refusal_of(method, scene); });
+  return methods;
+}
+
 std::vector<AccuracySetting> accuracy_settings(const AccuracyLadders& ladders, const settings::Scene& scene) {
   static const AccuracyLadders kUsual{.methods = {},
                                       .tolerances = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12},
@@ -89,11 +138,9 @@ std::vector<AccuracySetting> accuracy_settings(const AccuracyLadders& ladders, c
                                   "/accuracy/force_increment");
   const auto& steps = ladder(ladders.steps, kUsual.steps, "--steps", "/accuracy/step");
   require_room_for_the_reference(tolerances);
-  std::vector<std::string> methods = ladders.methods;
-  for (const auto& method : methods) require_known(method);
-  if (methods.empty()) {
-    for (const auto name : accuracy_methods()) methods.emplace_back(name);
-  }
+  const std::vector<std::string> methods = methods_of(ladders.methods, scene);
+  require_readers(ladders.force_increments, "--force-increments", "/accuracy/force_increment", methods);
+  require_readers(ladders.steps, "--steps", "/accuracy/step", methods);
 
   const double tightest = *std::min_element(tolerances.begin(), tolerances.end());
   std::vector<AccuracySetting> settings{

@@ -13,7 +13,7 @@ namespace rubatlas::mpi {
 /// The values to be compared; each method uses those that it reads. An empty list stands for the usual
 /// values.
 struct AccuracyLadders {
-  std::vector<std::string> methods{};  ///< all
+  std::vector<std::string> methods{};  ///< all that take the scene's effects
   std::vector<double> tolerances{};    ///< 1e-4, 1e-5, ... 1e-12; of `paper` fewer, each with its increments
   std::vector<double> force_increments{};  ///< dF [N]: 1 and 0.1
   std::vector<double> steps{};             ///< in τ, of `fixed`: 2e-2 ... 1e-3
@@ -22,8 +22,12 @@ struct AccuracyLadders {
 /// The methods that a scene may name, the default first.
 std::vector<std::string_view> accuracy_methods();
 
+/// Those of them that do not take the scene's effects: a study leaves them out where no methods are named.
+std::vector<std::string_view> methods_left_out(const settings::Scene& scene);
+
 /// The reference (`hybrid`, ten times tighter than the tightest tolerance asked for), then the series of each
-/// method. Throws UsageError for an unknown method and for a value outside its range.
+/// method. Throws UsageError for an unknown method, for one that does not take the scene's effects, for a
+/// value outside its range, or that no method reads, and for what is named twice.
 std::vector<atlas::AccuracySetting> accuracy_settings(const AccuracyLadders& ladders,
                                                       const settings::Scene& scene);
 

@@ -1,6 +1,7 @@
 #include "mpi/commands/accuracy_command.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include "mpi/accuracy/accuracy_study.hpp"
 #include "mpi/exit_code.hpp"
 #include "mpi/job/progress.hpp"
+#include "mpi/say.hpp"
 #include "mpi/version.hpp"
 #include "plan/grid.hpp"
 #include "settings/reader.hpp"
@@ -28,6 +30,14 @@ void require_possible(const AccuracyCommand& command) {
   }
 }
 
+/// Methods that are named are compared, or refused.
+void say_what_is_left_out(const AccuracyLadders& ladders, const settings::Scene& scene) {
+  const auto left_out = methods_left_out(scene);
+  if (!ladders.methods.empty() || left_out.empty()) return;
+  say_sentence(
+      fmt::format("left out, since they do not take the scene's effects: {}", fmt::join(left_out, ", ")));
+}
+
 }  // namespace
 
 int compute_accuracy(const AccuracyCommand& command) {
@@ -37,6 +47,7 @@ int compute_accuracy(const AccuracyCommand& command) {
   require_possible(command);
   const atlas::Output output = atlas::permitted(
       {command.output, atlas::FileKind::accuracy, atlas::existing(command.overwrite)}, {command.scene});
+  say_what_is_left_out(command.ladders, scene);
 
   Progress progress(command.progress);
   Standing standing;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "assembly/initial_state.hpp"
 #include "atlas/branch_file.hpp"
@@ -80,6 +82,53 @@ std::string sentence_of(const branch::Event& event, std::string_view name) {
   return text;
 }
 
+/// A branch that `--points` has ended says where; `end` is where it would have ended else.
+void say_where_it_stopped(const branch::Branch& branch, std::string_view name, std::string_view end) {
+  if (!branch.goes_on) return;
+  say_sentence(fmt::format("stopped after {} orbits at {} = {:.10g}, before {}; a larger --points goes on",
+                           branch.orbits.size(), name, branch.orbits.back().quantities.front(), end));
+}
+
+/// A curve of bifurcations in two quantities.
+struct CurveRequest {
+  branch::EventKind kind;
+  std::size_t in;           ///< the place of the second quantity's axis
+  branch::Varied quantity;  ///< the second one
+};
+
+void require_within(const std::vector<double>& within, const settings::Axis& axis, double start) {
+  if (within.empty()) return;
+  for (const double limit : within) static_cast<void>(limit_of(axis, limit, "--within"));
+  const std::string option = fmt::format("--within {}", fmt::join(within, " "));
+  if (within.front() >= within.back())
+    throw UsageError(option + ": the lower limit comes first, and the upper one is above it");
+  if (start < within.front() || start > within.back())
+    throw UsageError(
+        fmt::format("{}: the curve starts at {} = {}, which is outside", option, axis.name, start));
+}
+
+/// What the call says of a curve, checked before anything is computed; none where it asks for none.
+std::optional<CurveRequest> curve_request(const BranchCommand& command,
+                                          const std::vector<settings::Axis>& axes,
+                                          const std::vector<double>& parameters) {
+  if (command.curve.has_value() != command.in.has_value())
+    throw UsageError("--curve and --in belong together: a curve of bifurcations lies in two quantities");
+  if (!command.curve) {
+    if (command.within.empty()) return std::nullopt;
+    throw UsageError("--within: limits of a curve's second quantity, which --curve and --in ask for");
+  }
+  const auto kind = branch::kind_of(*command.curve);
+  if (!kind || *kind > branch::EventKind::neimark_sacker) {
+    throw UsageError(
+        fmt::format("--curve {}: allowed: fold, period_doubling, neimark_sacker", *command.curve));
+  }
+  const std::size_t in = axis_of(axes, *command.in, "--in");
+  if (in == axis_of(axes, command.along, "--along"))
+    throw UsageError("--in: the same quantity as --along; a curve lies in two");
+  require_within(command.within, axes[in], parameters[in]);
+  return CurveRequest{*kind, in, varied(axes[in], in, parameters[in], command.within)};
+}
+
 /// The event of a kind that lies nearest to where the branch was begun; null: there is none.
 const branch::Event* nearest_event(const std::vector<branch::Event>& events, branch::EventKind kind,
                                    double value) {
@@ -101,6 +150,7 @@ branch::Branch joined(branch::Branch down, branch::Branch up) {
   std::ranges::move(up.orbits, std::back_inserter(down.orbits));
   std::ranges::reverse(down.events);
   std::ranges::move(up.events, std::back_inserter(down.events));
+  down.goes_on = down.goes_on || up.goes_on;
   return down;
 }
 
@@ -114,8 +164,6 @@ int follow_branch(const BranchCommand& command) {
   const Place place = place_of(scene, command.from, "--from");
   if (place.direction)
     throw UsageError("--from direction: a branch has none; it is followed both ways by --both");
-  if (command.curve.has_value() != command.in.has_value())
-    throw UsageError("--curve and --in belong together: a curve of bifurcations lies in two quantities");
   const atlas::Output output = atlas::permitted(
       {command.output, atlas::FileKind::branch, atlas::existing(command.overwrite)}, {command.scene});
 
@@ -138,6 +186,7 @@ int follow_branch(const BranchCommand& command) {
     first.lowest = std::max(first.lowest, value - distance);
     first.highest = std::min(first.highest, value + distance);
   }
+  const std::optional<CurveRequest> curve = curve_request(command, axes, parameters);
   scene.accuracy.tolerance = std::min(scene.accuracy.tolerance, kTightest);
   scene.observables.clear();
 
@@ -153,12 +202,19 @@ int follow_branch(const BranchCommand& command) {
                     fmt::join(command.from, ","), scene.protocol.transient_revolutions));
   }
   const double direction = command.to && *command.to < value ? -1.0 : 1.0;
+  const std::string end = command.to && !command.both
+                              ? fmt::format("--to {}", *command.to)
+                              : fmt::format("an end of {} to {}", first.lowest, first.highest);
   const auto most = static_cast<std::size_t>(command.points);
 
   atlas::BranchContents contents{{axes[along].quantity}, {}, std::nullopt, scene.accuracy.tolerance};
   branch::Branch followed = continuation.follow(*start, direction, most);
-  if (command.both || !command.to)
-    followed = joined(continuation.follow(*start, -direction, most), std::move(followed));
+  say_where_it_stopped(followed, command.along, end);
+  if (command.both || !command.to) {
+    branch::Branch back = continuation.follow(*start, -direction, most);
+    say_where_it_stopped(back, command.along, end);
+    followed = joined(std::move(back), std::move(followed));
+  }
   contents.branches.reserve(2);  // `events` stay where they are
   contents.branches.push_back(std::move(followed));
   const std::vector<branch::Event>& events = contents.branches.front().events;
@@ -170,29 +226,22 @@ int follow_branch(const BranchCommand& command) {
     auto doubled = continuation.follow_doubled(*doubling, most);
     if (!doubled) throw UsageError("--switch: the branch of doubled period could not be found");
     for (const branch::Event& event : doubled->events) say_sentence(sentence_of(event, command.along));
+    say_where_it_stopped(*doubled, command.along, end);
     contents.branches.push_back(std::move(*doubled));
   }
-  if (command.curve) {
-    const auto kind = branch::kind_of(*command.curve);
-    if (!kind || *kind > branch::EventKind::neimark_sacker) {
-      throw UsageError(
-          fmt::format("--curve {}: allowed: fold, period_doubling, neimark_sacker", *command.curve));
-    }
-    const branch::Event* event = nearest_event(events, *kind, value);
+  if (curve) {
+    const branch::Event* event = nearest_event(events, curve->kind, value);
     if (event == nullptr)
       throw UsageError(fmt::format("--curve {}: there is none on this branch", *command.curve));
-    const std::size_t in = axis_of(axes, *command.in, "--in");
-    if (in == along) throw UsageError("--in: the same quantity as --along; a curve lies in two");
-    branch::Shooting both(
-        scene, parameters,
-        {varied(axes[along], along, value, {}), varied(axes[in], in, parameters[in], command.within)});
+    branch::Shooting both(scene, parameters, {varied(axes[along], along, value, {}), curve->quantity});
     branch::Orbit from = event->orbit;
-    from.quantities.push_back(parameters[in]);
-    std::vector<branch::Orbit> curve = branch::follow_curve(both, *kind, from, most);
-    if (curve.empty()) throw UsageError("--curve: the curve could not be followed from there");
-    contents.quantities.push_back(axes[in].quantity);
-    contents.curve_of = kind;
-    contents.branches = {branch::Branch{std::move(curve), {}}};
+    from.quantities.push_back(parameters[curve->in]);
+    branch::Branch found = branch::follow_curve(both, curve->kind, from, most);
+    if (found.orbits.empty()) throw UsageError("--curve: the curve could not be followed from there");
+    say_where_it_stopped(found, command.along, "an end of the curve");
+    contents.quantities.push_back(axes[curve->in].quantity);
+    contents.curve_of = curve->kind;
+    contents.branches = {std::move(found)};
   }
   std::size_t count = 0;
   for (const branch::Branch& each : contents.branches) count += each.orbits.size();

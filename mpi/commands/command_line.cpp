@@ -62,14 +62,21 @@ analysis::DisplacementLimit displacement_limit(const std::string& text) {
   throw UsageError(fmt::format("--limit {}: not {}", text, analysis::kLimitAllowed));
 }
 
-/// A mistyped command gets a sentence of its own instead of "a subcommand is required".
+constexpr std::array<std::string_view, 3> kOptions{"--help", "-h", "--version"};
+
+/// A mistyped command or option gets a sentence of its own instead of "a subcommand is required".
 void check_command(int argument_count, const char* const* arguments) {
   if (argument_count < 2) {
     throw UsageError(fmt::format("no command; commands are {}; rubatlas --help shows what is possible",
                                  fmt::join(kCommands, ", ")));
   }
   const std::string_view word = arguments[1];
-  if (word.starts_with('-') || std::find(kCommands.begin(), kCommands.end(), word) != kCommands.end()) return;
+  if (word.starts_with('-')) {
+    if (std::ranges::find(kOptions, word) != kOptions.end()) return;
+    throw UsageError(fmt::format("unknown option {}; before a command there are {}; commands are {}", word,
+                                 fmt::join(kOptions, ", "), fmt::join(kCommands, ", ")));
+  }
+  if (std::find(kCommands.begin(), kCommands.end(), word) != kCommands.end()) return;
   throw UsageError(fmt::format("unknown command {}; commands are {}; nearest: {}", word,
                                fmt::join(kCommands, ", "), settings::nearest(word, kCommands)));
 }
@@ -218,7 +225,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   AccuracyLadders& ladders = accuracy_command.ladders;
   accuracy
       ->add_option("--methods", ladders.methods,
-                   fmt::format("Of {}; default: all", fmt::join(accuracy_methods(), ", ")))
+                   fmt::format("Of {}; default: all that take the scene's effects",
+                               fmt::join(accuracy_methods(), ", ")))
       ->delimiter(',')
       ->type_name("NAME,...");
   const auto add_ladder = [&](const char* name, std::vector<double>& values, const char* meaning) {
@@ -241,6 +249,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       ->add_option(
           "--recompute", verify_command.recompute,
           "Compute so many rows again, spread over the grid; the build that made them has the same bits")
+      ->check(CLI::Range(0, 1000000000))
       ->type_name("ROWS");
 
   MergeCommand merge_command;
@@ -283,10 +292,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   if (status->parsed()) return status_command;
   if (explain->parsed()) return explain_command;
   if (orbit->parsed()) return orbit_command;
-  if (branch->parsed()) {
-    std::ranges::sort(branch_command.within);
-    return branch_command;
-  }
+  if (branch->parsed()) return branch_command;
   if (verify->parsed()) return verify_command;
   if (merge->parsed()) return merge_command;
   if (pack->parsed()) return pack_command;

@@ -265,7 +265,7 @@ int lead_edges(const EdgesCommand& command, EdgesTask& task, const Session& sess
   note_results(task);
   analysis::write_edges(task.output, task.found, *task.atlas, command.atlas.filename().string(), software());
   const auto standing = leader.finish();
-  fmt::print("{}", analysis::edges_report(task.found));
+  print(analysis::edges_report(task.found));
   return exit_code_of(standing);
 }
 

@@ -111,7 +111,7 @@ int merge(const MergeCommand& command) {
   say_what_is_missing(parts);
   const atlas::AtlasReader whole(output.path);
   const Standing standing = standing_of_atlas(whole);
-  fmt::print("{}\n", status_sentence(whole, standing));
+  print(status_sentence(whole, standing) + "\n");
   return exit_code_of(standing);
 }
 

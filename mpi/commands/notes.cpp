@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -159,6 +160,15 @@ double largest_overlap(const settings::Scene& scene) {
   return farthest - scene.clearance();
 }
 
+/// How far beyond the ring a blade reaches where `initial` puts the shaft [m], over the grid; none where it
+/// does not, or no farther than where the shaft rests.
+std::optional<double> start_beyond_ring(const settings::Scene& scene) {
+  const double start = farthest_start(scene, -scene.rotor.misalignment);
+  if (farthest_start(scene, 0.0) == 0.0 || start <= std::abs(scene.rotor.misalignment)) return std::nullopt;
+  const double beyond = start - scene.clearance();
+  return beyond > 0.0 ? std::optional(beyond) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<std::string> doubts_about(const settings::Scene& scene) {
@@ -179,6 +189,11 @@ std::string likely_reason_to_leave(const settings::Scene& scene) {
   }
   const double overlap = largest_overlap(scene);
   const double limit = scene.validity.max_shortening * scene.blades.length;
+  const auto beyond = start_beyond_ring(scene);
+  const auto of_start = [&] {
+    return fmt::format("`initial` puts the shaft where a blade reaches {} beyond the ring", length(*beyond));
+  };
+  if (beyond > limit) return of_start();
   if (scene.contact.law != settings::ContactLaw::elastic_ring && overlap > limit) {
     return fmt::format(
         "a blade that passes overlaps the ring by {}, and may be shortened by {} (max_shortening {:g} of L)",
@@ -189,6 +204,7 @@ std::string likely_reason_to_leave(const settings::Scene& scene) {
                        length(amplitude), length(scene.clearance()));
   }
   if (const auto doubts = doubts_about(scene); !doubts.empty()) return doubts.front();
+  if (beyond) return of_start();
   if (scene.grid.speed_ratio.front() > 1.0) {
     return "all speeds are beyond Ω = 1, where blades can no longer push a rotor back that leaves";
   }
@@ -214,14 +230,12 @@ std::vector<std::string> notes_on(const settings::Scene& scene, const CostEstima
         "equilibrium; a rotor that is to run free has y0 below δc",
         length(overlap)));
   }
-  const double start = farthest_start(scene, -scene.rotor.misalignment);
-  const double moved = farthest_start(scene, 0.0);
-  if (moved > 0.0 && start > scene.clearance() && start > std::abs(scene.rotor.misalignment)) {
+  if (start_beyond_ring(scene)) {
     result.push_back(
         fmt::format("`initial` puts the shaft {} from the ring's centre, farther than the clearance of {}: "
                     "blades may begin "
                     "in contact",
-                    length(start), length(scene.clearance())));
+                    length(farthest_start(scene, -scene.rotor.misalignment)), length(scene.clearance())));
   }
   if (scene.grid.speed_ratio.back() > 1.0) {
     result.emplace_back(

@@ -12,6 +12,7 @@
 #include "mpi/commands/status_command.hpp"
 #include "mpi/commands/unless_stopped.hpp"
 #include "mpi/exit_code.hpp"
+#include "mpi/say.hpp"
 #include "settings/reader.hpp"
 
 namespace rubatlas::mpi {
@@ -40,10 +41,11 @@ int pack(const PackCommand& command) {
 
   const std::uint64_t after = bytes_on_disk(output.path);
   const Standing standing = standing_of_atlas(atlas::AtlasReader(output.path));
-  fmt::print("{}: {} ({:.0f} % of the {} of {}); all rows of its {} finished points have their checksum\n",
-             output.path.string(), atlas::readable_bytes(after),
-             100.0 * static_cast<double>(after) / static_cast<double>(before), atlas::readable_bytes(before),
-             command.atlas.string(), standing.finished);
+  print(fmt::format(
+      "{}: {} ({:.0f} % of the {} of {}); all rows of its {} finished points have their checksum\n",
+      output.path.string(), atlas::readable_bytes(after),
+      100.0 * static_cast<double>(after) / static_cast<double>(before), atlas::readable_bytes(before),
+      command.atlas.string(), standing.finished));
   return exit_code::kDone;
 }
 

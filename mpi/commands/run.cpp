@@ -201,7 +201,7 @@ int run(const RunOptions& options) {
     try {
       session.require_one_job();
       if (options.dry_run) {
-        fmt::print("{}", rehearse(options));
+        print(rehearse(options));
       } else {
         preparation = prepare(options, software());
       }

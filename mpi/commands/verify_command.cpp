@@ -189,7 +189,7 @@ int verify(const VerifyCommand& command) {
     text += fmt::format("; {} of {} computed again have the same bits", points.size() - different.size(),
                         points.size());
   }
-  fmt::print("{}\n", text);
+  print(text + "\n");
   return sound ? exit_code::kDone : exit_code::kEnvironment;
 }
 

@@ -1,5 +1,6 @@
 #include "atlas/branch_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -114,6 +115,8 @@ void write_branch(const Output& output, const settings::Scene& scene, const std:
   if (contents.quantities.size() > 1)
     file.root().set_text("in", std::string(contents.quantities[1]->pointer));
   if (contents.curve_of) file.root().set_text("curve", std::string(branch::word_of(*contents.curve_of)));
+  file.root().set_number<std::uint8_t>(
+      "goes_on", std::ranges::any_of(contents.branches, &branch::Branch::goes_on) ? 1 : 0);
   file.create_text("/scene", scene_text).set_text("long_name", "the scene file, as it was given");
   file.create_text("/scene_resolved", settings::resolved_json(scene))
       .set_text("long_name", "the scene with every default and every axis value written out");

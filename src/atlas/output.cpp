@@ -137,6 +137,10 @@ std::string other_than(const std::filesystem::path& path, FileKind wanted) {
 }
 
 Output permitted(const Wish& wish, const std::vector<std::filesystem::path>& others) {
+  if (wish.path.empty()) {
+    throw OutputRefusal(
+        fmt::format("the file for {} has an empty name; a path is wanted", words_of(wish.kind)));
+  }
   const auto place = followed(wish.path);
   for (const auto& other : others) {
     if (is_same(place, other)) {

@@ -30,7 +30,7 @@ constexpr const char* kVersionOfHybrid = "2";
 constexpr const char* kVersionWithoutChecksums = "1";
 /// Version of the layout of maps and edges (analysis/maps.md). In version 3 margins and columns had the names
 /// of axes.
-constexpr const char* kMapsSchemaVersion = "5";
+constexpr const char* kMapsSchemaVersion = "6";
 
 /// Writes `Conventions`, `schema_version`, the kind of the file, what names it (`title`, `creator`,
 /// `license`) and the build as root attributes of a new file. Every file of this project (atlas, maps, orbit,

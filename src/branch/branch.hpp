@@ -64,6 +64,7 @@ struct Event {
 struct Branch {
   std::vector<Orbit> orbits;  ///< along the arclength
   std::vector<Event> events;
+  bool goes_on = false;  ///< beyond its last orbit: no more orbits were asked for
 };
 
 }  // namespace rubatlas::branch

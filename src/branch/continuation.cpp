@@ -44,7 +44,11 @@ Branch Continuation::follow(OnBranch state, std::size_t most) {
   };
   const Unknowns first = in_section(state.orbit);
   std::vector<Unknowns> behind_grazings;
-  while (branch.orbits.size() < most) {
+  while (true) {
+    if (branch.orbits.size() >= most) {
+      branch.goes_on = true;
+      break;
+    }
     std::optional<OnBranch> next;
     if (!grazings_.vanishes(state)) {
       length = std::min(length, grazings_.longest_step(state));

@@ -67,7 +67,7 @@ class Curve {
 
 }  // namespace
 
-std::vector<Orbit> follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::size_t most) {
+Branch follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::size_t most) {
   shooting.set_period(from.period);
   shooting.cut_at_section();
   Curve curve(shooting, kind);
@@ -75,13 +75,18 @@ std::vector<Orbit> follow_curve(Shooting& shooting, EventKind kind, const Orbit&
   along[shooting.size() - 1] = 1.0;  // the second quantity grows at first
   const auto start = curve.correct(shooting.scaled(from.section, from.quantities), along);
   if (!start) return {};
-  std::vector<Orbit> orbits{start->orbit};
+  Branch found{.orbits = {start->orbit}, .events = {}};
+  std::vector<Orbit>& orbits = found.orbits;
   for (const double direction : {-1.0, 1.0}) {
     OnBranch state = *start;
     state.tangent *= direction;
     double length = kFirstStep;
     std::size_t count = 1;
-    while (2 * count < most && length >= kShortestStep) {
+    while (length >= kShortestStep) {
+      if (2 * count >= most) {
+        found.goes_on = true;
+        break;
+      }
       const auto next = curve.correct(state.at + length * state.tangent, state.tangent);
       if (!next || !(next->tangent.dot(state.tangent) > 0.9)) {
         length *= 0.5;
@@ -96,7 +101,7 @@ std::vector<Orbit> follow_curve(Shooting& shooting, EventKind kind, const Orbit&
     // From one end of the curve to the other.
     if (direction < 0.0) std::ranges::reverse(orbits);
   }
-  return orbits;
+  return found;
 }
 
 }  // namespace rubatlas::branch

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "branch/branch.hpp"
 #include "branch/shooting.hpp"
@@ -13,7 +12,7 @@
 namespace rubatlas::branch {
 
 /// A curve of bifurcations of one kind in two quantities, from one of them on, both ways. The shooting varies
-/// both. Orbits along the curve; empty where the first cannot be found.
-std::vector<Orbit> follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::size_t most);
+/// both. Orbits along the curve, without events; none where the first cannot be found.
+Branch follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::size_t most);
 
 }  // namespace rubatlas::branch

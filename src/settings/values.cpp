@@ -67,6 +67,11 @@ Value checked_value(const nlohmann::json& value, std::string_view pointer, const
       return value.get<bool>();
     case Kind::text:
       if (!value.is_string()) fail(pointer, fmt::format("{} is not a text; {}", shown(value), entry.meaning));
+      // Texts of HDF5 end there: the file would keep the beginning only.
+      if (value.get_ref<const std::string&>().find('\0') != std::string::npos) {
+        fail(pointer,
+             fmt::format("{} has a character U+0000; any other is allowed; {}", shown(value), entry.meaning));
+      }
       return value.get<std::string>();
     case Kind::numbers:
       return checked_numbers(value, pointer, entry);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -37,14 +36,7 @@ class Analyse : public atlas::testing::Scratch {
  protected:
   /// What the command prints.
   std::string run(const std::string& name, const std::optional<std::filesystem::path>& table = std::nullopt) {
-    ::testing::internal::CaptureStdout();
-    try {
-      analyse(file(name), file("maps.h5"), table, true);
-    } catch (...) {
-      ::testing::internal::GetCapturedStdout();
-      throw;
-    }
-    return ::testing::internal::GetCapturedStdout();
+    return analyse(file(name), file("maps.h5"), table, true);
   }
 };
 
@@ -243,12 +235,23 @@ TEST_F(Analyse, SaysWhereBladesTouch) {
     EXPECT_NE(markdown.find(part), std::string::npos) << part << "\nin\n" << markdown;
   }
   const auto maps = atlas::File::open_to_read(file("maps.h5"));
-  EXPECT_EQ(maps.root().text("schema_version"), "5");
+  EXPECT_EQ(maps.root().text("schema_version"), "6");
   const auto contact = maps.dataset("contact").read<std::uint8_t>();
   EXPECT_EQ(std::ranges::count(contact, 2), 65);
   EXPECT_EQ(std::ranges::count(contact, 1), 117);
   EXPECT_NEAR(maps.dataset("table1/first_contact").read<double>()[0], 0.31, 1e-12);
   EXPECT_EQ(maps.dataset("table1/region_1_presence").read<std::uint8_t>()[1], 1) << "absent";
+}
+
+TEST_F(Analyse, TheMapsSayHowManyPointsTheAtlasHadFinished) {
+  write_atlas(file("atlas.h5"), kScene, [](const plan::PointParameters& at) {
+    return PrescribedPoint{1, at.damping_ratio > 0.2 ? 1e-4 : 2e-3};
+  });
+  static_cast<void>(run("atlas.h5"));
+  const auto finished =
+      std::ranges::count_if(atlas::AtlasReader(file("atlas.h5")).status(), [](auto one) { return one != 0; });
+  EXPECT_EQ(atlas::File::open_to_read(file("maps.h5")).root().number("points_finished"),
+            static_cast<double>(finished));
 }
 
 TEST_F(Analyse, SaysBeforeWhichLimitSignsWereFoundLineByLine) {
@@ -271,6 +274,22 @@ TEST_F(Analyse, SaysBeforeWhichLimitSignsWereFoundLineByLine) {
   EXPECT_EQ(maps.dataset("signs/passing_line").shape(), (atlas::Shape{1, 1, 1, 2, 181}));
   const auto other = examine(atlas::AtlasReader(file("atlas.h5")), *parse_limit("1 mm"));
   EXPECT_NEAR(other.signatures[0].limit_speed_ratio, 0.3, 1e-9);
+}
+
+TEST_F(Analyse, SaysNothingOfSignsOnALineWithoutAPoint) {
+  const auto scene = with(kScene, R"("max_displacement"])", R"("max_displacement", "spectrum"])");
+  const auto said = [&](const std::string& name, double least_damping) {
+    write_atlas(file(name), scene, [&](const plan::PointParameters& at) {
+      PrescribedPoint point{1, 1e-4};
+      if (at.damping_ratio > least_damping) point.status = ending::PointStatus::left_validity;
+      return point;
+    });
+    return on_one_line(run(name));
+  };
+  const auto half = said("half.h5", 0.2);
+  EXPECT_NE(half.find("ζ = 0.1: 5 mm never passed."), std::string::npos) << half;
+  EXPECT_EQ(half.find("5 mm passed at"), std::string::npos) << half;
+  EXPECT_EQ(said("none.h5", 0.0).find("SIGNS BEFORE"), std::string::npos);
 }
 
 TEST_F(Analyse, KeepsToTheWidthOfATerminal) {

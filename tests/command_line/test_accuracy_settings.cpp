@@ -55,6 +55,25 @@ TEST(AccuracySettings, AllMethodsOfAScenesChoiceAreComparedUnlessSomeAreNamed) {
                                              "located", "fixed"}));
 }
 
+TEST(AccuracySettings, MethodsThatDoNotTakeTheScenesEffectsAreLeftOutUnlessTheyAreNamed) {
+  settings::Scene scene;
+  EXPECT_TRUE(methods_left_out(scene).empty());
+  scene.gravity.emplace();
+  std::set<std::string> compared;
+  for (const auto& setting : accuracy_settings({}, scene)) compared.insert(setting.method);
+  EXPECT_EQ(compared, (std::set<std::string>{"hybrid", "collocation"}));
+  EXPECT_EQ(methods_left_out(scene),
+            (std::vector<std::string_view>{"hybrid_54", "hybrid_32", "paper", "located", "fixed"}));
+  try {
+    static_cast<void>(accuracy_settings({.methods = {"hybrid", "fixed"}}, scene));
+    ADD_FAILURE() << "fixed is not refused";
+  } catch (const UsageError& refusal) {
+    EXPECT_STREQ(refusal.what(),
+                 "--methods fixed: /gravity: the method \"fixed\" computes the paper's rotor and its "
+                 "unbalance; effects need \"collocation\" or \"hybrid\"");
+  }
+}
+
 TEST(AccuracySettings, TheTwoKnobsOfThePublishedSchemeAreRefinedTogether) {
   const auto settings = settings_of({.methods = {"paper"}});
   ASSERT_GE(settings.size(), 4U);
@@ -86,6 +105,14 @@ TEST(AccuracySettings, KnobsOutsideTheirRangesAreRefused) {
   EXPECT_THROW(static_cast<void>(settings_of({.tolerances = {1e-14}})), UsageError);
   EXPECT_THROW(static_cast<void>(settings_of({.force_increments = {0.0}})), UsageError);
   EXPECT_THROW(static_cast<void>(settings_of({.steps = {-1e-3}})), UsageError);
+}
+
+TEST(AccuracySettings, WhatIsNamedTwiceOrReadByNoMethodIsRefused) {
+  EXPECT_THROW(static_cast<void>(settings_of({.methods = {"hybrid", "fixed", "hybrid"}})), UsageError);
+  EXPECT_THROW(static_cast<void>(settings_of({.tolerances = {1e-6, 1e-8, 1e-6}})), UsageError);
+  EXPECT_THROW(static_cast<void>(settings_of({.methods = {"hybrid"}, .steps = {1e-3}})), UsageError);
+  EXPECT_THROW(static_cast<void>(settings_of({.methods = {"fixed"}, .force_increments = {0.1}})), UsageError);
+  EXPECT_NO_THROW(static_cast<void>(settings_of({.force_increments = {0.1}, .steps = {1e-3}})));
 }
 
 }  // namespace

@@ -147,6 +147,12 @@ TEST(Notes, WhyEveryPointLeavesTheModelIsSaidWhereItCanBeSeen) {
       "of L)");
   EXPECT_EQ(reason(R"("initial": {"x": 0.2})"),
             "`initial` puts the shaft 200.25 mm from the ring's centre, and the ring has a radius of 110 mm");
+  const std::string beyond = "`initial` puts the shaft where a blade reaches 99.4587 mm beyond the ring";
+  EXPECT_EQ(reason(R"("initial": {"x": 0.109})"), beyond);
+  EXPECT_EQ(likely_reason_to_leave(settings::parse_scene(
+                R"({"grid": {"speed_ratio": [1.5, 1.6]}, "sweep": "independent", "initial": {"x": 0.109}})")),
+            beyond)
+      << "not the speeds";
   EXPECT_EQ(reason(R"("title": "default")"), "");
 }
 

@@ -65,6 +65,14 @@ TEST(CommandLine, AWrongCallIsOneSentenceAndExitCodeTwo) {
   EXPECT_NE(says("run s.json -o a.h5 --resume --overwrite").find("--resume"), std::string::npos);
   EXPECT_NE(says("run s.json -o a.h5 --resmue").find("--resmue"), std::string::npos);
   EXPECT_NE(says("explain").find("SCENE is required"), std::string::npos);
+  EXPECT_EQ(
+      says("--foo"),
+      "rubatlas: unknown option --foo; before a command there are --help, -h, --version; commands are run, "
+      "status, explain, orbit, branch, analyse, edges, accuracy, verify, merge, pack\n");
+  static_cast<void>(place.write("s.json", kSmallScene));
+  EXPECT_EQ(says("run s.json -o ''"),
+            "rubatlas: the file for an atlas has an empty name; a path is wanted\n");
+  EXPECT_NE(says("verify a.h5 --recompute -1").find("--recompute: Value -1 not in range"), std::string::npos);
 }
 
 TEST(CommandLine, AWrongSceneIsOneSentenceAndExitCodeTwoBeforeAnyFile) {
@@ -129,9 +137,17 @@ TEST(CommandLine, UnderMpirunOneRankSaysItAndAllEndWithTheCode) {
 
 TEST(CommandLine, AClosedStandardOutputIsTheEnvironmentsFault) {
   const Workplace place;
-  const auto ending = place.shell("'" RUBATLAS_PROGRAM "' --version >/dev/full");
-  EXPECT_EQ(ending.code, 3);
-  EXPECT_EQ(ending.messages, "rubatlas: standard output takes no more text\n");
+  static_cast<void>(place.write("s.json", kSmallScene));
+  ASSERT_EQ(place.rubatlas("run s.json -o a.h5 --progress off").code, 0);
+  for (const std::string arguments :
+       {"--version", "run s.json -o b.h5 --dry-run", "status a.h5", "explain s.json --measure 0",
+        "verify a.h5", "analyse a.h5 -o m.h5", "edges a.h5 --to 0.05 --progress off", "merge a.h5 -o w.h5",
+        "pack a.h5 -o p.h5"}) {
+    const auto ending = place.rubatlas(arguments + " >/dev/full");
+    EXPECT_EQ(ending.code, 3) << arguments;
+    EXPECT_TRUE(ending.messages.ends_with("rubatlas: standard output takes no more text\n"))
+        << arguments << ": " << ending.messages;
+  }
 }
 
 }  // namespace

@@ -68,6 +68,38 @@ class Branch(JobTest):
         self.assertEqual((self.directory / "branch.h5").read_bytes(), first)
         self.assertTrue(((0.1 - 1e-12 <= self.rows()["parameter"]) & (self.rows()["parameter"] <= 0.12 + 1e-12)).all())
 
+    def test_a_branch_that_the_number_of_points_ends_says_where_it_stopped(self):
+        options = ("--from", "speed_ratio=0.42", "--along", "speed_ratio", "--to", "0.43")
+        said = self.branch(*options, "--points", "5")
+        self.assertRegex(said, r"rubatlas: stopped after 5 orbits at speed_ratio = 0\.42\d*, before --to 0\.43; a ")
+        self.assertEqual(self.goes_on(), 1)
+        self.assertNotIn("stopped", self.branch(*options))
+        self.assertEqual(self.goes_on(), 0)
+        said = self.branch(*options, "--both", "--points", "5")
+        self.assertEqual(said.count("before an end of 0.41 to 0.43; a larger --points"), 2)
+
+    def goes_on(self):
+        with h5py.File(self.directory / "branch.h5", "r") as file:
+            return file.attrs["goes_on"]
+
+    def test_a_curve_that_cannot_be_followed_is_refused_before_anything_is_computed(self):
+        # From here nothing could be followed: the motion does not settle.
+        start = ("--from", "speed_ratio=0.5", "--along", "speed_ratio")
+        curve = (*start, "--curve", "fold", "--in", "damping_ratio")
+        for options, sentence in (
+                ((*start, "--in", "damping_ratio"), "--curve and --in belong together"),
+                ((*start, "--within", "0.1", "0.2"), "--within: limits of a curve's second quantity"),
+                ((*start, "--curve", "grazing", "--in", "damping_ratio"), "--curve grazing: allowed: fold, "),
+                ((*start, "--curve", "fold", "--in", "dampng_ratio"), "--in dampng_ratio: no quantity of the scene's"),
+                ((*start, "--curve", "fold", "--in", "speed_ratio"), "--in: the same quantity as --along"),
+                ((*curve, "--within", "0.2", "0.05"), "--within 0.2 0.05: the lower limit comes first"),
+                ((*curve, "--within", "-0.2", "0.2"), "--within -0.2: damping_ratio is a number in"),
+                ((*curve, "--within", "0.2", "0.3"), "--within 0.2 0.3: the curve starts at damping_ratio = 0.1, ")):
+            with self.subTest(sentence=sentence):
+                said = self.branch(*options, code=2)
+                self.assertIn(sentence, said)
+                self.assertEqual(said.count("\n"), 1)
+
     def test_a_wrong_call_is_refused_in_one_sentence(self):
         start = ("--from", "speed_ratio=0.42")
         for options, changes, sentence in (

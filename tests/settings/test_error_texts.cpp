@@ -63,6 +63,8 @@ TEST(SceneErrors, AWrongTypeSaysWhatWouldBeRight) {
   EXPECT_EQ(refusal_with(R"("blades": {"count": 3.5})"),
             "/blades/count: 3.5 is not a whole number in [1, 50]; number of equally spaced blades");
   EXPECT_EQ(refusal_with(R"("title": 3)"), "/title: 3 is not a text; what this atlas is about");
+  EXPECT_EQ(refusal_with(R"("title": "a\u0000b")"),
+            R"(/title: "a\u0000b" has a character U+0000; any other is allowed; what this atlas is about)");
   EXPECT_EQ(refusal_with(R"("rotor": [1])"),
             "/rotor: [1] is not a section in braces; point mass on a massless isotropic shaft");
   EXPECT_EQ(refusal("[1, 2]"), "/: [1,2] is not a scene; a scene is a JSON object");

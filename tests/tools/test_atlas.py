@@ -62,6 +62,15 @@ class AtlasQuestions(WithFolder):
         with self.assertRaisesRegex(rubatlas.AtlasError, "was not made from the scene"):
             rubatlas.open(TINY / "atlas.h5", maps=TINY / "rings_maps.h5")
 
+    def test_maps_that_were_made_before_further_points_were_finished_are_refused(self):
+        shutil.copy(TINY / "atlas.h5", self.folder / "a.h5")
+        shutil.copy(TINY / "maps.h5", self.folder / "a_maps.h5")
+        with h5py.File(self.folder / "a_maps.h5", "r+") as file:
+            file.attrs["points_finished"] -= 1
+        with self.assertRaisesRegex(rubatlas.AtlasError, r"a.h5 has \d+ points finished, and \S+a_maps.h5 was made of "
+                                                         r"\d+: `rubatlas analyse \S+ -o \S+ --overwrite` makes it"):
+            rubatlas.open(self.folder / "a.h5")
+
     def test_a_selection_has_the_numbers_of_its_points(self):
         chosen = self.atlas.sel(damping_ratio=0.2, speed_ratio=slice(0.3, 0.5))
         inside = (self.speed >= 0.3) & (self.speed <= 0.5)
@@ -290,7 +299,7 @@ class AtlasQuestions(WithFolder):
         shutil.copy(TINY / "maps.h5", self.folder / "maps.h5")
         with h5py.File(self.folder / "maps.h5", "r+") as file:
             file.attrs["schema_version"] = "3"
-        with self.assertRaisesRegex(rubatlas.AtlasError, "another version than 5; `rubatlas analyse"):
+        with self.assertRaisesRegex(rubatlas.AtlasError, "another version than 6; `rubatlas analyse"):
             rubatlas.open(TINY / "atlas.h5", maps=self.folder / "maps.h5")
 
     def test_edges_lie_beside_the_atlas_or_are_not_there(self):
@@ -299,6 +308,10 @@ class AtlasQuestions(WithFolder):
         with h5py.File(self.folder / "a_edges.h5", "w") as file:
             file["edges/lower"], file["edges/upper"] = [0.3, 0.5], [0.31, 0.51]
         np.testing.assert_array_equal(rubatlas.open(self.folder / "a.h5").edges["upper"], [0.31, 0.51])
+        with h5py.File(self.folder / "a_edges.h5", "r+") as file:
+            file["edges"].attrs["points_finished"] = 1
+        with self.assertRaisesRegex(rubatlas.AtlasError, r"a_edges.h5 was made of 1: `rubatlas edges \S+a.h5 -o "):
+            _ = rubatlas.open(self.folder / "a.h5").edges
 
     def test_an_orbit_starts_from_the_state_that_the_atlas_keeps(self):
         orbit = self.atlas.orbit(0.3, damping_ratio=0.2)

@@ -30,6 +30,14 @@ class GrazingKick(unittest.TestCase):
         self.assertTrue((short_of_one > 0.0).all() and short_of_one[-1] < 0.02)
         self.assertAlmostEqual(short_of_one[-3] / short_of_one[-1], 10**0.5, delta=0.8)
 
+    def test_a_file_that_is_no_program_is_refused_and_not_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            atlas = pathlib.Path(folder) / "atlas.h5"
+            atlas.write_bytes(b"")
+            ended = ended_command("rubatlas-plot", "grazing", atlas, "-o", pathlib.Path(folder) / "grazing.png")
+        self.assertEqual(ended.returncode, 2)
+        self.assertIn("atlas.h5: no program; the first argument is the program rubatlas", ended.stderr)
+
     def test_the_experiment_is_drawn(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "grazing.png"

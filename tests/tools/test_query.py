@@ -31,7 +31,10 @@ class Query(unittest.TestCase):
     def test_words_are_compared_with_flags(self):
         self.expect("class == 'aperiodic'", [0, 0, 1, 0])
         self.expect('"period 2" != class', [1, 1, 1, 0])
-        self.expect("class <= 2", [1, 1, 0, 1])
+
+    def test_a_motion_without_a_class_has_none_that_is_small(self):
+        self.expect("class <= 2", [1, 0, 0, 1])
+        self.expect("class == none", [0, 1, 0, 0])
 
     def test_conditions_are_joined_with_the_usual_precedence(self):
         self.expect("class == 'aperiodic' or class == 'period 2' and speed_ratio < 0.1", [0, 0, 1, 0])

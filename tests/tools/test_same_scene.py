@@ -1,9 +1,12 @@
 """Two files are drawn together only where they belong together."""
 import os
 import pathlib
+import shutil
 import sys
 import tempfile
 import unittest
+
+import h5py
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
@@ -30,6 +33,16 @@ class ToolsSameScene(unittest.TestCase):
         for tool, *options in (["map"], ["stack", "--along", "damping_ratio"], ["bifurcation", "--zoom", "0.25:0.5"]):
             self.expect_refusal(tool, "/gravity is there here and absent there", TINY / "gravity.h5", "--maps",
                                 TINY / "maps.h5", *options)
+
+    def test_maps_of_fewer_points_than_the_atlas_has_finished_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            maps = pathlib.Path(folder) / "maps.h5"
+            shutil.copy(TINY / "maps.h5", maps)
+            with h5py.File(maps, "r+") as file:
+                file.attrs["points_finished"] -= 1
+            for tool, *options in (["map"], ["all"], ["safe_speeds", "--keep", "class<=2"]):
+                self.expect_refusal(tool, r"atlas.h5 has \d+ points finished, and .*maps.h5 was made of \d+: `rubatlas "
+                                          r"analyse .*` makes it anew", TINY / "atlas.h5", "--maps", maps, *options)
 
     def test_an_effect_is_compared_with_its_own_absence_only(self):
         self.expect_refusal("effect", "nothing is left out", TINY / "atlas.h5", "--without", TINY / "atlas.h5")

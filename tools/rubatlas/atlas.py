@@ -20,13 +20,13 @@ import numpy as np
 import xarray
 
 from rubatlas import query
-from rubatlas.atlas_file import (DIRECTIONS, DONE, SOMETIMES, AtlasError, AtlasFile, beside, number_of, reading,
+from rubatlas.atlas_file import (DIRECTIONS, DONE, EDGES, SOMETIMES, AtlasError, AtlasFile, beside, number_of, reading,
                                  same_value, sizes_of, swept_pointers, text, with_values, words_of)
 from rubatlas.judgement import MAY_NOT_OCCUR, Judgement, bands_of
 from rubatlas.plots.axes import Plots
 from rubatlas.plots.orbit import OrbitFile
 from rubatlas.program import Path, command, scene_file
-from rubatlas.same_scene import require_same
+from rubatlas.same_scene import require_edges_of, require_maps_of
 
 # Points that are wanted, along axes of the selection or in its shape.
 Mask = xarray.DataArray | np.ndarray[Any, np.dtype[np.bool_]]
@@ -66,7 +66,7 @@ def _joined(atlas: AtlasFile, maps: AtlasFile | None) -> dict[str, xarray.Variab
 
 def read_edges(path: str) -> xarray.Dataset:
     """The group /edges of maps or of a file of `rubatlas edges`, one row per edge."""
-    with reading(path, "a file of edges that `rubatlas edges` has written") as file:
+    with reading(path, EDGES) as file:
         group = file["edges"]
         datasets = {name: dataset for name, dataset in group.items()
                     if dataset.ndim == 1 and dataset.dtype.kind in "fiu" and name != "edge"}
@@ -114,7 +114,7 @@ class Atlas:
                 quantities = _joined(atlas, None)
             else:
                 with AtlasFile(self.maps_path) as mapped:
-                    require_same(self.path, self.scene, self.maps_path, mapped.scene)
+                    require_maps_of(atlas, mapped)
                     quantities = _joined(atlas, mapped)
             title = text(self.scene.get("title", ""))
         # An axis with one value is no dimension but a number beside the data; the speed ratio always is one.
@@ -374,6 +374,8 @@ class Atlas:
         None without either."""
         place = beside(self.path, "edges")
         if place is not None:
+            with AtlasFile(self.path) as atlas:
+                require_edges_of(atlas, place)
             return read_edges(str(place))
         if self.maps_path is not None:
             with AtlasFile(self.maps_path) as maps:

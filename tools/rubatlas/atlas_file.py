@@ -19,7 +19,7 @@ import h5py
 import numpy as np
 
 # Layout of maps that is read here; the names of their datasets are new in it.
-MAPS_VERSION = "5"
+MAPS_VERSION = "6"
 
 PENDING, DONE, LEFT_VALIDITY, INTEGRATOR_FAILED = 0, 1, 2, 3
 
@@ -105,6 +105,8 @@ def printable(value):
 
 # Exceptions of h5py for data that are missing, of another kind, or damaged.
 UNREADABLE = (OSError, KeyError, ValueError, RuntimeError, TypeError, IndexError, AttributeError, StopIteration)
+
+EDGES = "a file of edges that `rubatlas edges` has written"  # as `reading` names it
 
 
 @contextlib.contextmanager

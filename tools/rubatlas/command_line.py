@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 from rubatlas.atlas_file import AtlasError, AtlasFile, beside
-from rubatlas.same_scene import require_same
+from rubatlas.same_scene import require_maps_of
 
 LINE_AXES = ["damping_ratio", "friction", "unbalance", "thickness", "direction"]
 
@@ -98,7 +98,7 @@ def atlas_with_maps(options, wants_maps=True):
         path = maps_of(options) if wants_maps else None
         maps = files.enter_context(AtlasFile(path)) if path else None
         if maps:
-            require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+            require_maps_of(atlas, maps)
         yield atlas, maps
 
 

@@ -9,8 +9,8 @@ A number without a unit is in the atlas' own, which is SI; units are m, mm, N, g
 clearances, and rpm, Hz, rad/s for the speed ratio and distances in it. Values that are compared or added have one unit.
 A word is compared by == (=) and != with a map of flags: class == 'aperiodic', direction = up; alone it means that its
 map has it: aperiodic and speed > 9 Hz. A name may have spaces for underscores, and some names and words have synonyms:
-damping, Ω, chaotic. A comparison with what is not there (NaN) is false, != true. `Atlas.where` chooses points that are
-done alone. The text is never executed.
+damping, Ω, chaotic. A comparison with what is not there (NaN; a class that is none, as a number) is false, != true.
+`Atlas.where` chooses points that are done alone. The text is never executed.
 
 The grammar is data: tokens, units, synonyms, operators and sentences stand in query_grammar.json, and this file and the
 page's query.js read them by the same rule. An operator joins operands whose operators have a higher level. One that
@@ -288,13 +288,15 @@ class _Evaluation:
         return value if flag is None else _Value("condition", flag.values == _code(flag.flags or {}, value.text))
 
     def operand(self, rule: dict[str, Any], sign: str, place: str, value: _Value) -> Any:
-        """The numbers or the condition that an operator takes; a map of flags is numbers, too."""
+        """The numbers or the condition that an operator takes; a map of flags is numbers, too, but for a word that says
+        that there is none."""
         if rule["takes"] == "condition":
             value = self.holding(value)
         if rule["takes"] != ("number" if value.kind == "flag" else value.kind):
             kind, wanted = (self.grammar["kinds"][one] for one in (value.kind, rule["takes"]))
             raise _refusal(self.grammar, f"operand_{place}", sign=sign, kind=kind, wanted=wanted)
-        return value.values
+        none = _code(value.flags, self.grammar["no_number"].get(value.text, ""))
+        return value.values if none is None else np.where(value.values == none, np.nan, value.values)
 
     def joined(self, rule: dict[str, Any], sign: str, left: _Value, right: _Value) -> Any:
         if "words" in rule and "word" in (left.kind, right.kind):

@@ -1,5 +1,7 @@
 """Whether two files are of the same scene. Every tool that draws two files together checks this first."""
-from rubatlas.atlas_file import AtlasError
+import numpy as np
+
+from rubatlas.atlas_file import EDGES, PENDING, AtlasError, reading
 
 # Keys that do not influence the motions of an atlas.
 WORDS = ("title", "reference", "creator", "license")
@@ -43,6 +45,28 @@ def require_same(path, scene, other_path, other_scene):
     found = differences(without(scene, WORDS), without(other_scene, WORDS))
     if found:
         refuse(path, other_path, found)
+
+
+def require_finished(atlas, path, attributes, made_by):
+    """A file that was made of an atlas knows of every point that the atlas has finished by now."""
+    finished = np.count_nonzero(atlas.dataset("status")[...] != PENDING)
+    known = attributes.get("points_finished", finished)  # what lacks it is another kind of file
+    if finished != known:
+        raise AtlasError(f"{atlas.path} has {finished} points finished, and {path} was made of {known}: `{made_by} -o "
+                         f"{path} --overwrite` makes it anew")
+
+
+def require_maps_of(atlas, maps):
+    """The maps are of the atlas: of its scene, and of all points that it has finished."""
+    require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+    require_finished(atlas, maps.path, maps.file.attrs, f"rubatlas analyse {atlas.path}")
+
+
+def require_edges_of(atlas, path):
+    """The edges are of all points that the atlas has finished."""
+    with reading(path, EDGES) as file:
+        attributes = dict(file["edges"].attrs)
+    require_finished(atlas, path, attributes, f"rubatlas edges {atlas.path}")
 
 
 def require_same_machine(path, scene, other_path, other_scene):

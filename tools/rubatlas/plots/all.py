@@ -12,7 +12,7 @@ import pathlib
 
 from rubatlas import command_line
 from rubatlas.atlas_file import AtlasFile
-from rubatlas.same_scene import require_same
+from rubatlas.same_scene import require_maps_of
 
 
 def pictures(atlas, maps):
@@ -41,7 +41,7 @@ def pictures(atlas, maps):
 def draw(options):
     maps_path = command_line.maps_of(options, required=True)
     with AtlasFile(options.source) as atlas, AtlasFile(maps_path) as maps:
-        require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+        require_maps_of(atlas, maps)
         found = pictures(atlas, maps)
     options.output.mkdir(parents=True, exist_ok=True)
     size = [f"--{name}={value}{unit}" for name, value, unit in

@@ -15,7 +15,7 @@ from rubatlas import command_line
 from rubatlas import style
 from rubatlas.atlas_file import AtlasError, AtlasFile
 from rubatlas.palette import PALETTE
-from rubatlas.same_scene import require_same
+from rubatlas.same_scene import require_maps_of
 
 MOST_PANELS = 9
 # Hatchings of the second attractor of one colour, the third and so on.
@@ -49,7 +49,7 @@ def place_of(atlas, horizontal, vertical):
 
 def draw(options):
     with AtlasFile(options.source) as atlas, AtlasFile(command_line.maps_of(options, required=True)) as maps:
-        require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+        require_maps_of(atlas, maps)
         wanted = command_line.wanted(options, atlas.axes)
         starts = [name for name in atlas.axes if name.startswith("initial_") and len(atlas.axis(name)) > 1]
         free = [name for name in starts if name not in wanted][:2]

@@ -8,6 +8,7 @@ receding side (s ct = -1 mm), for both contact laws. The kick is the velocity by
 from free motion, taken back to the time of the grazing. `--table` prints slopes, d(log kick)/d(log d), as a table.
 """
 import json
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -94,6 +95,8 @@ def draw(options):
     program = pathlib.Path(options.source)
     if not program.is_file():
         raise AtlasError(f"{program}: no such program; the first argument is the program rubatlas")
+    if not os.access(program, os.X_OK):
+        raise AtlasError(f"{program}: no program; the first argument is the program rubatlas, not a file of it")
     kicks = measure(program.resolve())
     figure, (panels,) = style.subplots(options, 1, 2, (9.5, 4.2), sharey=True)
     for panel, (law, words) in zip(panels, LAWS.items()):

@@ -13,7 +13,7 @@ from rubatlas import style
 from rubatlas.atlas_file import DIRECTIONS, AtlasError
 from rubatlas.plots.branch import BranchFile
 from rubatlas.plots.displacement import along_of
-from rubatlas.same_scene import require_same
+from rubatlas.same_scene import require_maps_of
 
 
 NO_CONTACT = 1  # as maps number it
@@ -80,7 +80,7 @@ def into(panel, atlas, along, wanted, name="max_displacement"):
 def class_cells_of(maps, lines, name="class"):
     """The classes of motion of lines of an atlas, as `style.cells_into` draws them."""
     atlas = lines[0].atlas
-    require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+    require_maps_of(atlas, maps)
     classes = np.array([np.where(line.chosen(), maps.dataset(name)[line.index], 0) for line in lines])
     status = np.array([line.status() for line in lines])
     untouched = np.array([line.chosen() & (maps.dataset("contact")[line.index] == NO_CONTACT) for line in lines])

@@ -12,7 +12,7 @@ from rubatlas import style
 from rubatlas.atlas_file import DONE, AtlasError, AtlasFile
 from rubatlas.plots.displacement import along_of
 from rubatlas.plots.map import finish, rows_of, size_of
-from rubatlas.same_scene import require_same
+from rubatlas.same_scene import require_maps_of
 
 NAMES = {"speed_ratio": "Distance in Ω to the nearest change of motion",
          "speed_ratio_to_grazing": "Distance in Ω to the predicted grazing"}
@@ -34,7 +34,7 @@ def label(maps, name):
 
 def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
     """A margin of the maps; returns the image, for a colour bar, and the legend of points without a margin."""
-    require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+    require_maps_of(atlas, maps)
     if dataset_of(name) not in maps:
         raise AtlasError(f"{maps.path}: it has no /{dataset_of(name)}; `rubatlas analyse` writes margins along axes "
                          "with several values")

@@ -12,7 +12,7 @@ import numpy as np
 from rubatlas import command_line
 from rubatlas import style
 from rubatlas.atlas_file import AtlasError, AtlasFile
-from rubatlas.same_scene import require_same
+from rubatlas.same_scene import require_maps_of
 from rubatlas.signature import signature
 
 
@@ -60,7 +60,7 @@ def into(panels, line, found):
 
 def draw(options):
     with AtlasFile(options.source) as atlas, AtlasFile(command_line.maps_of(options, required=True)) as maps:
-        require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+        require_maps_of(atlas, maps)
         line = atlas.line(**command_line.wanted(options, atlas.axes))
         figure, panels = style.subplots(options, 3, 1, (9.5, 7.2), heights=[2, 1, 2], sharex=True)
         found = found_of(maps, line)

@@ -14,7 +14,7 @@ from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, AtlasError, printable
 from rubatlas.elastica import angles_from_tip
 from rubatlas.report.blocks import Blocks
 from rubatlas.report.orbits import orbits_of
-from rubatlas.same_scene import require_same
+from rubatlas.same_scene import require_maps_of
 
 # In the order in which the program remembers them.
 EFFECTS_THAT_REMEMBER = ("wear", "ring_body")
@@ -237,7 +237,7 @@ def contents(atlas, maps, solver, orbits=None):
     """The JSON of a report, and its blocks. `solver`: bytes of the WebAssembly module, or none. `orbits`: see
     `add_orbits`."""
     if maps is not None:
-        require_same(atlas.path, atlas.scene, maps.path, maps.scene)
+        require_maps_of(atlas, maps)
     blocks = Blocks()
     status = atlas.dataset("status")[...]
     meanings = flags_of(atlas.dataset("status"))

@@ -160,13 +160,15 @@ function parseQuery(text, names, grammar, sizes = {}) {
     const code = Number(codeOf(has.flags, value.text));
     return {kind: 'condition', of: (point) => has.of(point) === code};
   }
-  /// The numbers or the condition that an operator takes; a map of flags is numbers, too.
+  /// The numbers or the condition that an operator takes; a map of flags is numbers, too, but for a word that says
+  /// that there is none.
   function taken(rule, sign, place, given) {
     const value = rule.takes === 'condition' ? holding(given) : given;
     if (rule.takes !== (value.kind === 'flag' ? 'number' : value.kind)) {
       refuse(`operand_${place}`, {sign, kind: grammar.kinds[value.kind], wanted: grammar.kinds[rule.takes]});
     }
-    return value.of;
+    const none = codeOf(value.flags, entryOf(grammar.no_number, value.text));
+    return none === undefined ? value.of : (point) => (value.of(point) === Number(none) ? NaN : value.of(point));
   }
   function joined(rule, sign, left, right) {
     const does = QUERY_DOES[rule.does];
