@@ -209,7 +209,7 @@ ContactArc::Outcome ContactArc::make() {
       kept_->intervals[number_].take(contact_, trial(), predictor_.length_of_trial());
       kept_->count = std::max(kept_->count, number_ + 1);
     }
-    if (solved) set_out_as_solved();
+    if (solved && begins_) set_out_as_solved();
     const Verdict verdict = solved ? judge(ending) : Verdict::too_long;
     if (verdict == Verdict::at_once) {
       end_at_once(ending);

@@ -27,7 +27,7 @@ void ContactArc::set_out(int blade, double slip, const std::complex<double>& acc
 /// The same of bent tips that may slip back, which the solved interval tells: their v follows from how they
 /// bend.
 void ContactArc::set_out_as_solved() {
-  if (!begins_ || !law_->may_slip_back()) return;
+  if (!law_->may_slip_back()) return;
   const auto sign_as_solved = [this](double slip, bool straight, const TipInTime& tip, double& velocity) {
     if (slip == 0.0 || straight || !slips_from_zero(velocity)) return;
     const double left = std::max(slip_rounding(), kClosest * tolerance_);
