@@ -50,76 +50,67 @@ double ring_damping(const LineRequest& request) {
              : 0.0;
 }
 
-std::vector<contact::DirectedElastica> directed_elastica_of_blades(const LineRequest& request) {
-  const settings::Scene& line = request.line;
+/// `make`: the law of one blade, from its geometry and what it is.
+template <class Law>
+std::unique_ptr<modes::Law> of_blades(const LineRequest& request, const auto& make) {
+  std::vector<typename Law::Blades::OfBlade> blades;
+  for (const settings::Blades& blade : variation::each_blade(request.line))
+    blades.push_back(make(variation::geometry_of(request.line.ring, blade), blade));
+  return std::make_unique<Law>(contact::UnequalBlades(std::move(blades)));
+}
+
+std::unique_ptr<modes::Law> law_of_inclined_loads(const LineRequest& request) {
   const auto direction = request.combination.consumed.contains<&Effects::load_direction>()
                              ? contact::LoadDirection::normal
                              : contact::LoadDirection::axial;
   const contact::Friction friction = friction_of(request);
   const bool has_curve =
       direction == contact::LoadDirection::axial && friction.has_slip_state() && friction.friction > 0.0;
-  std::vector<contact::DirectedElastica> laws;
-  for (const settings::Blades& blade : variation::each_blade(line)) {
-    laws.emplace_back(direction, variation::geometry_of(line.ring, blade), variation::blade_of(blade),
-                      friction, has_curve ? curve_of(request, blade) : nullptr);
-  }
-  return laws;
+  return of_blades<modes::LawOfInclinedLoads>(request, [&](const auto& geometry, const auto& blade) {
+    return contact::DirectedElastica(direction, geometry, variation::blade_of(blade), friction,
+                                     has_curve ? curve_of(request, blade) : nullptr);
+  });
 }
 
-std::vector<contact::ElasticBladeOnDampedRing> elastica_on_damped_ring(const LineRequest& request) {
-  const settings::Scene& line = request.line;
-  const contact::DampedRing ring{1.0 / line.yielding_ring->compliance, ring_damping(request)};
-  std::vector<contact::ElasticBladeOnDampedRing> laws;
-  for (const settings::Blades& blade : variation::each_blade(line)) {
-    laws.emplace_back(contact::ElasticaContact(variation::geometry_of(line.ring, blade),
-                                               variation::blade_of(blade), curve_of(request, blade)),
-                      ring);
-  }
-  return laws;
+std::unique_ptr<modes::Law> law_of_damped_ring(const LineRequest& request) {
+  const contact::DampedRing ring{1.0 / request.line.yielding_ring->compliance, ring_damping(request)};
+  return of_blades<modes::LawOfDampedRing>(request, [&](const auto& geometry, const auto& blade) {
+    return contact::ElasticBladeOnDampedRing(
+        contact::ElasticaContact(geometry, variation::blade_of(blade), curve_of(request, blade)), ring);
+  });
 }
 
-std::vector<contact::ElasticRingContact> elastic_ring_of_blades(const LineRequest& request) {
-  const settings::Scene& line = request.line;
-  std::vector<contact::ElasticRingContact> laws;
-  for (const settings::Blades& blade : variation::each_blade(line))
-    laws.emplace_back(variation::geometry_of(line.ring, blade), line.ring.stiffness, friction_of(request),
-                      ring_damping(request));
-  return laws;
+std::unique_ptr<modes::Law> law_of_rigid_blades(const LineRequest& request) {
+  return of_blades<modes::LawOfRigidBlades>(request, [&](const auto& geometry, const auto& /*blade*/) {
+    return contact::ElasticRingContact(geometry, request.line.ring.stiffness, friction_of(request),
+                                       ring_damping(request));
+  });
 }
 
-std::vector<contact::ElasticaContact> elastica_of_blades(const LineRequest& request) {
-  const settings::Scene& line = request.line;
+std::unique_ptr<modes::Law> law_of_axial_loads(const LineRequest& request) {
   const settings::EffectSet& consumed = request.combination.consumed;
   contact::Ring ring;
-  if (consumed.contains<&Effects::yielding_ring>()) ring.stiffness = 1.0 / line.yielding_ring->compliance;
+  if (consumed.contains<&Effects::yielding_ring>())
+    ring.stiffness = 1.0 / request.line.yielding_ring->compliance;
   if (consumed.contains<&Effects::release>()) ring.release = contact::Release::at_fold;
-  std::vector<contact::ElasticaContact> laws;
-  for (const settings::Blades& blade : variation::each_blade(line)) {
-    laws.emplace_back(variation::geometry_of(line.ring, blade), variation::blade_of(blade),
-                      curve_of(request, blade), ring);
-  }
-  return laws;
-}
-
-template <class Law>
-std::unique_ptr<modes::Law> of_blades(auto blades) {
-  return std::make_unique<Law>(contact::UnequalBlades(std::move(blades)));
+  return of_blades<modes::LawOfAxialLoads>(request, [&](const auto& geometry, const auto& blade) {
+    return contact::ElasticaContact(geometry, variation::blade_of(blade), curve_of(request, blade), ring);
+  });
 }
 
 }  // namespace
 
 std::unique_ptr<modes::Law> law_of(const LineRequest& request) {
   using enum settings::MotionFamily;
-  if (request.line.contact.law == settings::ContactLaw::elastic_ring)
-    return of_blades<modes::LawOfRigidBlades>(elastic_ring_of_blades(request));
+  if (request.line.contact.law == settings::ContactLaw::elastic_ring) return law_of_rigid_blades(request);
   switch (request.combination.family->kind) {
     case directed_elastic_blades:
     case sticking_elastic_blades:
-      return of_blades<modes::LawOfInclinedLoads>(directed_elastica_of_blades(request));
+      return law_of_inclined_loads(request);
     case blades_on_damped_ring:
-      return of_blades<modes::LawOfDampedRing>(elastica_on_damped_ring(request));
+      return law_of_damped_ring(request);
     default:
-      return of_blades<modes::LawOfAxialLoads>(elastica_of_blades(request));
+      return law_of_axial_loads(request);
   }
 }
 

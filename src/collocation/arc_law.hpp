@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -35,17 +36,15 @@ class ArcLaw {
   /// Friction takes its sign from s, so that a reversal of the slip is an event.
   [[nodiscard]] virtual bool has_slip_state() const = 0;
   /// The lean of the load is an unknown.
-  [[nodiscard]] virtual bool leans() const = 0;
+  [[nodiscard]] virtual bool leans() const { return false; }
   /// The force is explicit: the arc is a stretch of time.
   [[nodiscard]] virtual bool is_rigid() const { return false; }
-  /// The leading blade's force and strain are kept at the nodes; else both grow with its p.
-  [[nodiscard]] bool keeps_loads() const { return leans() || is_rigid(); }
   /// A contact that ends under load ends at g = 0.
   [[nodiscard]] virtual bool ends_at_ring() const { return true; }
   /// A tip that cannot rest may slip on against s (MODEL 4.4).
   [[nodiscard]] virtual bool may_slip_back() const { return false; }
   /// A contact goes on beyond the ring while it has a force.
-  [[nodiscard]] virtual bool releases_at_fold(int blade) const = 0;
+  [[nodiscard]] virtual bool releases_at_fold(int /*blade*/) const { return false; }
   /// A blade that is bent begins and ends above the ring, straight.
   [[nodiscard]] virtual bool may_stand_straight(int /*blade*/) const { return false; }
   /// A straight blade that buckles finds no equilibrium next to it.
@@ -53,11 +52,13 @@ class ArcLaw {
     return false;
   }
   /// Where the equilibria end in a fold, the blade may snap to others.
-  [[nodiscard]] virtual bool has_branches(int blade) const = 0;
+  [[nodiscard]] virtual bool has_branches(int /*blade*/) const { return false; }
   /// The force of the leading blade vanishes with the gap where its tip stands.
   [[nodiscard]] virtual bool starts_unloaded(int blade, double slip, const contact::Pose& at) const = 0;
-  /// What `Bounds::argument` is to stay below.
-  [[nodiscard]] virtual double valid_argument(int blade) const = 0;
+  /// Up to which δ/L its contact is valid.
+  [[nodiscard]] virtual double valid_shortening(int /*blade*/) const {
+    return std::numeric_limits<double>::infinity();
+  }
 
   /// A contact as it goes on where its blade stands, or as it opens there. None where the blade has no
   /// equilibrium.
@@ -92,18 +93,19 @@ class ArcLaw {
   struct Tangent {
     double time, argument, lean;
   };
-  [[nodiscard]] virtual Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
-                                        const std::complex<double>& acceleration) const = 0;
+  [[nodiscard]] virtual Tangent tangent(const Touch& /*touch*/, const contact::Pose& /*at*/, double /*speed*/,
+                                        const std::complex<double>& /*acceleration*/) const {
+    return {1.0, 0.0, 0.0};
+  }
   /// The leading blade's curve from the unbent blade on, roughly, with ends of pieces in p.
-  [[nodiscard]] virtual std::span<const blade::BendingTable::Knot> knots() const = 0;
+  [[nodiscard]] virtual std::span<const blade::BendingTable::Knot> knots() const { return {}; }
   /// Δ/p² [m] of the leading blade where it is hardly bent.
-  [[nodiscard]] virtual double deflection_per_square() const = 0;
+  [[nodiscard]] virtual double deflection_per_square() const { return 0.0; }
   /// A further blade, where another one takes the lead.
   virtual FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) = 0;
 
   [[nodiscard]] virtual bool solve(const Contact& contact, const Closeness& closeness,
                                    Interval& interval) const = 0;
-  virtual void bounds(const Contact& contact, const Interval& interval, Bounds& bounds) const = 0;
 
   /// The contact of a blade that is bent so.
   [[nodiscard]] virtual Touch touch(int blade, double slip, const Bending& bending) const = 0;
@@ -120,7 +122,7 @@ class ArcLaw {
     double bending = 0.0;                   ///< of u
     double modulus = 0.0, amplitude = 0.0;  ///< of κ and φ
   };
-  [[nodiscard]] virtual Rates rates(const Bending& bending, const Tangent& along) const = 0;
+  [[nodiscard]] virtual Rates rates(const Bending& /*bending*/, const Tangent& /*along*/) const { return {}; }
 
  protected:
   /// What the force of a contact says of its start.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "integrate/root_between.hpp"
 #include "rotor/skimming.hpp"
 
 namespace rubatlas::collocation {
@@ -16,25 +15,6 @@ double left_until_pressed_in(const Touch& touch) {
 }
 
 }  // namespace
-
-AxialLaw::AxialLaw(const Laws& laws, int blade_count, double max_shortening)
-    : laws_(&laws), solver_(interval_solver()) {
-  for (int k = 0; k < blade_count; ++k) {
-    const auto& knots = table(k).knots();
-    const auto beyond = std::ranges::find_if(
-        knots, [&](const blade::BendingTable::Knot& knot) { return knot.shortening > max_shortening; });
-    if (beyond == knots.end()) {
-      valid_argument_.push_back(knots.empty() ? 0.0 : knots.back().argument);
-      continue;
-    }
-    const auto excess = [&](double argument) {
-      return laws_->of(k).curve().at(table(k).bending(argument)).shortening - max_shortening;
-    };
-    const double before = beyond == knots.begin() ? 0.0 : std::prev(beyond)->argument;
-    valid_argument_.push_back(integrate::root_between(excess, before, beyond->argument, excess(before),
-                                                      beyond->shortening - max_shortening));
-  }
-}
 
 Blade AxialLaw::numbers(int blade) const {
   const contact::ElasticaContact& law = laws_->of(blade);
@@ -79,20 +59,24 @@ std::optional<Touch> AxialLaw::found_anew(const Touch& touch, const contact::Pos
 Bending AxialLaw::lead(const Touch& touch, bool /*alone*/) {
   leader_ = touch.blade;
   standing_.assign(1, {touch.blade, touch.straight, touch.skims});
-  return {.argument = touch.straight ? kStraight : table(touch.blade).argument(touch.bending)};
+  return {.argument = touch.straight ? kStraight : table(touch.blade).argument(touch.bending),
+          .yielding = touch.yielding};
 }
 
 FurtherStart AxialLaw::further(const Touch& touch, const contact::Pose& at, double speed) {
   standing_.push_back({touch.blade, touch.straight, touch.skims});
   const Start there = start(touch, at, speed);
-  return {.blade = touch.blade,
-          .slip = touch.slip,
-          .straight = touch.straight,
-          .skims = touch.skims,
-          .square = touch.straight ? FurtherStart::Course{there.tip.start_gap_measure}
-                                   : square_of_bent(of(touch.blade), at, touch, speed, there.ring_opens),
-          .tip = there.tip,
-          .force = there.force};
+  FurtherStart further{.blade = touch.blade,
+                       .slip = touch.slip,
+                       .straight = touch.straight,
+                       .skims = touch.skims,
+                       .square = touch.straight
+                                     ? FurtherStart::Course{there.tip.start_gap_measure}
+                                     : square_of_bent(of(touch.blade), at, touch, speed, there.ring_opens),
+                       .tip = there.tip,
+                       .force = there.force};
+  if (touch.just_bent) further.square.rate = 0.0;  // as `DampedLaw::tangent`
+  return further;
 }
 
 Touch AxialLaw::touch(int blade, double slip, const Bending& bending) const {
@@ -101,6 +85,7 @@ Touch AxialLaw::touch(int blade, double slip, const Bending& bending) const {
   touch.straight = standing.straight;
   touch.skims = standing.skims;
   touch.share = bending.share;
+  touch.yielding = bending.yielding;
   if (!touch.straight) touch.bending = table(blade).bending(bending.argument);
   return touch;
 }

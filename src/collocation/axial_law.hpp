@@ -3,6 +3,7 @@
 /// does not change then, and an arc that it leads is a stretch of time.
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <optional>
@@ -19,13 +20,13 @@ class AxialLaw : public ArcLaw {
  public:
   using Laws = contact::UnequalBlades<contact::ElasticaContact>;
   /// `laws` outlive it. `max_shortening`: of δ/L.
-  AxialLaw(const Laws& laws, int blade_count, double max_shortening);
+  AxialLaw(const Laws& laws, double max_shortening)
+      : laws_(&laws), solver_(interval_solver()), max_shortening_(max_shortening) {}
 
   [[nodiscard]] Blade numbers(int blade) const override;
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return laws_->of(blade).geometry(); }
   [[nodiscard]] bool has_slip_state() const override { return true; }
   [[nodiscard]] bool may_slip_back() const override { return true; }
-  [[nodiscard]] bool leans() const override { return false; }
   [[nodiscard]] bool releases_at_fold(int blade) const override {
     return laws_->of(blade).releases_at_fold();
   }
@@ -33,8 +34,8 @@ class AxialLaw : public ArcLaw {
   [[nodiscard]] bool starts_unloaded(int blade, double slip, const contact::Pose& at) const override {
     return laws_->of(blade).starts_unloaded(at, slip);
   }
-  [[nodiscard]] double valid_argument(int blade) const override {
-    return valid_argument_[static_cast<std::size_t>(blade)];
+  [[nodiscard]] double valid_shortening(int blade) const override {
+    return std::min(max_shortening_, table(blade).knots().back().shortening);
   }
   [[nodiscard]] bool may_stand_straight(int blade) const override {
     return laws_->of(blade).may_stand_straight();
@@ -62,9 +63,6 @@ class AxialLaw : public ArcLaw {
   [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
                            Interval& interval) const override {
     return solver_.solve(contact, closeness, interval);
-  }
-  void bounds(const Contact& contact, const Interval& interval, Bounds& bounds) const override {
-    solver_.bounds(contact, interval, bounds);
   }
   [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override;
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
@@ -96,7 +94,7 @@ class AxialLaw : public ArcLaw {
 
   const Laws* laws_;
   IntervalSolver solver_;
-  std::vector<double> valid_argument_;  ///< p of each blade up to which δ/L is within its limit
+  double max_shortening_;
   std::vector<Standing> standing_;
   int leader_ = 0;
 };

@@ -45,26 +45,11 @@ class BendingInLanes {
     return result;
   }
 
-  static Bend curve(const Places& at) {
-    Rows<kNodes> sum;
-    for (std::size_t k = 0; k < kNodes; ++k) {
-      for (std::size_t r = 0; r < kRows; ++r)
-        sum[k][r] = row(at.coefficients[k], blade::BendingTable::kDegree, r);
-    }
-#pragma GCC unroll 16
-    for (std::size_t below = 1; below <= blade::BendingTable::kDegree; ++below) {
-      for (std::size_t k = 0; k < kNodes; ++k) {
-        for (std::size_t r = 0; r < kRows; ++r)
-          sum[k][r] = sum[k][r] * at.t[k] + row(at.coefficients[k], blade::BendingTable::kDegree - below, r);
-      }
-    }
-    return across(sum);
-  }
-
-  /// With the slopes by p, of the powers up to `kSlopeDegree`: they are for Newton's steps only. Four nodes
-  /// at a time: as many as registers hold.
-  static Bend curve_with_slopes(const Places& at, Bend& slope) {
-    constexpr std::size_t kAtOnce = 4;
+  /// With `kSlopes` the slopes by p, too, of the powers up to `kSlopeDegree`: they are for Newton's steps
+  /// only, and four nodes are as many as registers hold at a time.
+  template <bool kSlopes>
+  static Bend curve(const Places& at, Bend& slope) {
+    constexpr std::size_t kAtOnce = kSlopes ? 4 : kNodes;
     Rows<kNodes> sum;
     Rows<kNodes> rate;
     for (std::size_t i = 0; i < kNodes; i += kAtOnce) {
@@ -77,16 +62,18 @@ class BendingInLanes {
         const std::size_t power = blade::BendingTable::kDegree - below;
         for (std::size_t k = i; k < i + kAtOnce; ++k) {
           for (std::size_t r = 0; r < kRows; ++r) {
-            if (power + 1 == kSlopeDegree) rate[k][r] = sum[k][r];
-            if (power + 1 < kSlopeDegree) rate[k][r] = rate[k][r] * at.t[k] + sum[k][r];
+            if (kSlopes && power + 1 == kSlopeDegree) rate[k][r] = sum[k][r];
+            if (kSlopes && power + 1 < kSlopeDegree) rate[k][r] = rate[k][r] * at.t[k] + sum[k][r];
             sum[k][r] = sum[k][r] * at.t[k] + row(at.coefficients[k], power, r);
           }
         }
       }
     }
     constexpr double kSlopeUnit = 1.0 / blade::BendingTable::kWidth;
-    slope = across(rate);
-    slope = {slope.load * kSlopeUnit, slope.shortening * kSlopeUnit, slope.deflection * kSlopeUnit};
+    if (kSlopes) {
+      slope = across(rate);
+      slope = {slope.load * kSlopeUnit, slope.shortening * kSlopeUnit, slope.deflection * kSlopeUnit};
+    }
     return across(sum);
   }
 

@@ -128,7 +128,7 @@ void ContactArc::move(Point& point, const Interval& interval, double late) {
   go_on(interval.yielding, point.bending.yielding);
   for (std::size_t k = 0; k < interval.further.size(); ++k) {
     const FurtherBlade& further = interval.further[k];
-    go_on(further.square, point.further[k].square);
+    go_on(further.square, point.further[k].argument);
     go_on(further.lean, point.further[k].lean);
     go_on(further.yielding, point.further[k].yielding);
   }
@@ -290,17 +290,7 @@ void ContactArc::goes_on(const Ending& ending) {
 }
 
 ContactArc::Point ContactArc::at_node(const Interval& interval, std::size_t node) {
-  const Body& shaft = interval.shaft;
-  const Body& ring = interval.ring;
-  Point point{.time = interval.start_time + interval.elapsed[node],
-              .bending = {interval.argument[node], interval.lean[node], interval.yielding[node],
-                          interval.gap_measure[node] - kShareBeyond}};
-  point.bodies << shaft.x[node], shaft.y[node], shaft.vx[node], shaft.vy[node], ring.x[node], ring.y[node],
-      ring.vx[node], ring.vy[node];
-  for (const FurtherBlade& further : interval.further)
-    point.further.push_back({further.square[node], further.lean[node], further.yielding[node],
-                             further.gap_measure[node] - kShareBeyond});
-  return point;
+  return read(interval, [node](double /*start*/, const AtNodes& nodes) { return nodes[node]; });
 }
 
 std::size_t ContactArc::number_of(int blade) const {

@@ -44,19 +44,12 @@ class ContactArc {
   ContactArc(const ContactArc&) = delete;
   ContactArc& operator=(const ContactArc&) = delete;
 
-  /// How far a blade is bent that does not lead.
-  struct FurtherPlace {
-    double square;          ///< p²
-    double lean;            ///< l
-    double yielding = 0.0;  ///< y
-    double share = 1.0;     ///< λ of a tip that skims
-  };
   /// A place on the contact's curve.
   struct Point {
     double time = 0.0;  ///< τ of the revolution
     rotor::ShaftAndRing bodies = rotor::ShaftAndRing::Zero();
-    Bending bending;  ///< of the leading blade
-    std::vector<FurtherPlace> further{};
+    Bending bending;                 ///< of the leading blade
+    std::vector<Bending> further{};  ///< of the others, with p² in place of p
   };
 
   /// Begins where these blades touch.
@@ -98,8 +91,6 @@ class ContactArc {
   [[nodiscard]] const Ending& ending() const { return ending_; }
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& end() const { return end_; }
-  /// v of the leading blade at the end (MODEL 4.4) [m per unit τ].
-  [[nodiscard]] double slip_velocity() const { return at_end_.start_slip_velocity; }
 
   /// θ in the interval that has been made where it has reached a time.
   [[nodiscard]] double fraction_at(double time) const;
@@ -254,13 +245,30 @@ class ContactArc {
     if (law_->is_rigid()) return true;
     return blade == blade_ ? contact_.straight : further_[number_of(blade)].straight;
   }
-  /// The leading blade's force and strain are kept at the nodes.
-  [[nodiscard]] bool keeps_loads() const { return law_->keeps_loads() || contact_.straight; }
   /// Slip to this side may reverse.
   [[nodiscard]] bool reverses(double slip) const { return law_->has_slip_state() && slip != 0.0; }
   [[nodiscard]] bool is_next_to_unbent(const Interval& interval) const;
   [[nodiscard]] double left_at_end(const Ending& ending, const Interval& interval) const;
   bool cut_at(const Interval& whole, Ending& ending, Interval& shorter);
+  /// A place of an interval. `value`: of a quantity there, from that at the start and those at the nodes.
+  template <class Value>
+  [[nodiscard]] static Point read(const Interval& in, const Value& value) {
+    const auto bending = [&](double argument, const TipInTime& tip) {
+      return Bending{argument, value(tip.start_lean, tip.lean), value(tip.start_yielding, tip.yielding),
+                     value(tip.start_gap_measure, tip.gap_measure) - kShareBeyond};
+    };
+    Point point{.time = in.start_time + value(0.0, in.elapsed),
+                .bending = bending(value(in.start_argument, in.argument), in)};
+    const auto place = [&](const Body& body, Eigen::Index first) {
+      point.bodies.segment<4>(first) << value(body.start[0], body.x), value(body.start[1], body.y),
+          value(body.start[2], body.vx), value(body.start[3], body.vy);
+    };
+    place(in.shaft, 0);
+    place(in.ring, 4);
+    for (const FurtherBlade& further : in.further)
+      point.further.push_back(bending(value(further.start_square, further.square), further));
+    return point;
+  }
   [[nodiscard]] static Point at_node(const Interval& interval, std::size_t node);
   [[nodiscard]] static Point end_of(const Interval& interval) { return at_node(interval, kNodes - 1); }
   void bring_to_rest(int reversed);

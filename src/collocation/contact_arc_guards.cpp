@@ -77,9 +77,10 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
     const Course left = validity_left(interval, guard, blade);
     look(guard, blade, left.start, left.nodes, 1.0);
   };
-  if (!(bounds.argument < law_->valid_argument(blade_))) look_at_validity(Guard::shortening_limit, blade_);
+  if (!(bounds.shortening < law_->valid_shortening(blade_)))
+    look_at_validity(Guard::shortening_limit, blade_);
   for (std::size_t k = 0; k < further_.size(); ++k) {
-    if (!(bounds.further[k].argument < law_->valid_argument(further_[k].blade)))
+    if (!(bounds.further[k].shortening < law_->valid_shortening(further_[k].blade)))
       look_at_validity(Guard::shortening_limit, further_[k].blade);
   }
   if (!(bounds.distance < machine().ring_radius)) look_at_validity(Guard::shaft_at_ring, kNoBlade);
@@ -94,8 +95,7 @@ bool ContactArc::starts_inside(int blade) const {
   return there.gap > contact::gap_rounding(law_->geometry(blade), there);
 }
 
-/// What is left of validity: of p, of its square or of δ/L up to the limit of the shortening; of |c|² up to
-/// the ring.
+/// What is left of validity: of δ/L up to its limit, of |c|² up to the ring.
 ContactArc::Course ContactArc::validity_left(const Interval& interval, Guard guard, int blade) const {
   if (guard == Guard::shaft_at_ring) {
     const double radius = machine().ring_radius;
@@ -110,19 +110,11 @@ ContactArc::Course ContactArc::validity_left(const Interval& interval, Guard gua
       result.nodes[i] = left(shaft.x[i] - ring.x[i], shaft.y[i] - ring.y[i]);
     return result;
   }
-  const double limit = law_->valid_argument(blade);
-  const auto less = [](double most, double start, const AtNodes& nodes) {
-    Course result{most - start, {}};
-    for (std::size_t i = 0; i < kNodes; ++i) result.nodes[i] = most - nodes[i];
-    return result;
-  };
-  if (contact_.leans) {
-    const TipInTime& tip = tip_of(interval, blade);
-    return less(limit, tip.start_shortening, tip.shortening);
-  }
-  if (blade == blade_) return less(limit, interval.start_argument, interval.argument);
-  const FurtherBlade& further = interval.further[number_of(blade)];
-  return less(limit * limit, further.start_square, further.square);
+  const TipInTime& tip = tip_of(interval, blade);
+  const double limit = law_->valid_shortening(blade);
+  Course result{limit - tip.start_shortening, {}};
+  for (std::size_t i = 0; i < kNodes; ++i) result.nodes[i] = limit - tip.shortening[i];
+  return result;
 }
 
 /// The first touch-down of another blade, if it comes before this ending. None where it cannot be told.
@@ -132,27 +124,10 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
     const Blade& blade = numbers(other.blade);
     if (stays_off(other, interval, 0.0)) continue;
     const bool inside = starts_inside(other.blade);
-    const auto clear_of_ring = [&](double x, double y, double er_x, double er_y) {
-      const double centre = y + machine().misalignment;
-      const double along = er_x * other.offset[0] - er_y * other.offset[1];
-      const double across = er_y * other.offset[0] + er_x * other.offset[1];
-      return -(x * x + centre * centre + 2.0 * blade.reach * (x * along + centre * across) + blade.closing);
-    };
-    const Body& shaft = interval.shaft;
-    const Body& ring = interval.ring;
-    AtPlaces values;
-    values[0] = clear_of_ring(shaft.start[0] - ring.start[0], shaft.start[1] - ring.start[1],
-                              interval.blade[0], interval.blade[1]);
+    const TipCourse tip = course_of_tip(machine(), interval, blade, other.offset);
+    AtPlaces values = inside ? tip.rate : tip.gap;
+    for (double& value : values) value = -value;
     std::size_t place = kPlaces;
-    for (std::size_t i = 0; i < kNodes; ++i) {
-      values[i + 1] = clear_of_ring(shaft.x[i] - ring.x[i], shaft.y[i] - ring.y[i], interval.blade_x[i],
-                                    interval.blade_y[i]);
-    }
-    const AtPlaces gaps = values;
-    if (inside) {
-      values = gap_rates(machine(), interval, blade, other.offset);
-      for (double& value : values) value = -value;
-    }
     for (std::size_t i = 0; i < kNodes && place == kPlaces; ++i) {
       if (values[i + 1] < 0.0) place = i + 1;
     }
@@ -160,7 +135,7 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
     if (place == kPlaces || (place == 1 && !(values[0] > 0.0))) return std::nullopt;
     const double fraction = crossing(values, place);
     // Where it has left the ring before it turns outwards, it touches at the ring.
-    if (inside && !(sum_of_products(basis_at(fraction), gaps) < 0.0)) return std::nullopt;
+    if (inside && !(sum_of_products(basis_at(fraction), tip.gap) > 0.0)) return std::nullopt;
     if (fraction < before.fraction)
       before = {Guard::touch_down, fraction, other.blade, slope_before(values, fraction), inside};
   }

@@ -12,7 +12,7 @@ namespace rubatlas::collocation {
 Bounds ContactArc::bounds_of(const Interval& interval) const {
   Bounds bounds{};
   bounds.further.resize(interval.further.size());
-  law_->bounds(contact_, interval, bounds);
+  solver_.bounds(contact_, interval, bounds);
   return bounds;
 }
 
@@ -32,14 +32,14 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
   };
   const auto stays_short = [&](int blade, double largest) {
     const bool limit_ends_it = ending.guard == Guard::shortening_limit && ending.blade == blade;
-    return limit_ends_it || largest < law_->valid_argument(blade);
+    return limit_ends_it || largest < law_->valid_shortening(blade);
   };
   if (!(bounds.distance < machine().ring_radius) && ending.guard != Guard::shaft_at_ring) return false;
-  if (!stays_short(blade_, bounds.argument)) return false;
+  if (!stays_short(blade_, bounds.shortening)) return false;
   if (!keeps_slip(blade_, contact_.slip, at_end_.start_slip_velocity, bounds.slip_velocity)) return false;
   for (std::size_t k = 0; k < further_.size(); ++k) {
     const FurtherStart& further = further_[k];
-    if (!stays_short(further.blade, bounds.further[k].argument) ||
+    if (!stays_short(further.blade, bounds.further[k].shortening) ||
         !keeps_slip(further.blade, further.slip, further.tip.start_slip_velocity,
                     bounds.further[k].slip_velocity))
       return false;
@@ -55,7 +55,7 @@ bool ContactArc::stays_off(const Other& other, const Interval& interval, double 
   const double bound = solver_.largest_gap(contact_, interval, blade, other.offset);
   gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
   if (starts_inside(other.blade))
-    return largest_coefficient(gap_rates(machine(), interval, blade, other.offset)) < allowed;
+    return largest_coefficient(course_of_tip(machine(), interval, blade, other.offset).rate) < allowed;
   // A tip that has just lifted off may stand at the ring for a while.
   return bound < allowed || bound < rotor_->gap_rounding(law_->geometry(other.blade));
 }

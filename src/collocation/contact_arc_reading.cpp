@@ -137,30 +137,9 @@ std::array<double, 2> ContactArc::place_at(double fraction) const {
 
 ContactArc::Point ContactArc::point_at(double fraction) const {
   const AtPlaces basis = basis_at(fraction);
-  const auto value = [&](double start, const AtNodes& nodes) {
+  return read(made(), [&](double start, const AtNodes& nodes) {
     return sum_of_products(basis, at_places(start, nodes));
-  };
-  const Body& shaft = made().shaft;
-  const Body& ring = made().ring;
-  Point point{.time = made().start_time + value(0.0, made().elapsed),
-              .bending = {value(made().start_argument, made().argument)}};
-  point.bending.yielding = value(made().start_yielding, made().yielding);
-  if (contact_.skims)
-    point.bending.share = value(made().start_gap_measure, made().gap_measure) - kShareBeyond;
-  if (contact_.leans) point.bending.lean = value(made().start_lean, made().lean);
-  const auto place = [&](const Body& body, Eigen::Index first) {
-    point.bodies.segment<4>(first) << value(body.start[0], body.x), value(body.start[1], body.y),
-        value(body.start[2], body.vx), value(body.start[3], body.vy);
-  };
-  place(shaft, 0);
-  if (machine().ring.moves) place(ring, 4);
-  for (const FurtherBlade& further : made().further) {
-    const double lean = contact_.leans ? value(further.start_lean, further.lean) : 0.0;
-    point.further.push_back(
-        {value(further.start_square, further.square), lean, value(further.start_yielding, further.yielding),
-         further.skims ? value(further.start_gap_measure, further.gap_measure) - kShareBeyond : 1.0});
-  }
-  return point;
+  });
 }
 bool ContactArc::ends_at_last_node() const {
   constexpr double kLeft = 1e-10;  // of the interval
@@ -185,8 +164,9 @@ ArcLaw::Tangent ContactArc::direction_at(double fraction) const {
 
 Bending ContactArc::bending_of(int blade, const Point& point) const {
   if (blade == blade_) return point.bending;
-  const FurtherPlace& place = point.further[number_of(blade)];
-  return {std::sqrt(std::max(0.0, place.square)), place.lean, place.yielding, place.share};
+  Bending bending = point.further[number_of(blade)];
+  bending.argument = std::sqrt(std::max(0.0, bending.argument));
+  return bending;
 }
 Touch ContactArc::touch_of(int blade, const Point& point) const {
   const double slip = blade == blade_ ? contact_.slip : further_[number_of(blade)].slip;

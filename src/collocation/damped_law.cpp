@@ -19,7 +19,7 @@ AxialLaw::Laws blades_of(const DampedLaw::Laws& laws, int blade_count) {
 
 DampedLaw::DampedLaw(const Laws& laws, int blade_count, double max_shortening)
     : BladesOfRing{blades_of(laws, blade_count)},
-      AxialLaw(BladesOfRing::blades, blade_count, max_shortening),
+      AxialLaw(BladesOfRing::blades, max_shortening),
       laws_(&laws) {}
 
 Blade DampedLaw::numbers(int blade) const {
@@ -51,12 +51,6 @@ std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at
   return found;
 }
 
-Bending DampedLaw::lead(const Touch& touch, bool alone) {
-  Bending bending = AxialLaw::lead(touch, alone);
-  bending.yielding = touch.yielding;
-  return bending;
-}
-
 double DampedLaw::ring_opens(const Touch& touch, const contact::Pose& at, double speed) const {
   const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
   return 2.0 * (law.geometry().ring_radius + touch.yielding) *
@@ -85,18 +79,6 @@ ArcLaw::Tangent DampedLaw::tangent(const Touch& touch, const contact::Pose& at, 
   Tangent along = AxialLaw::tangent(touch, at, speed, acceleration);
   along.argument -= ring_opens(touch, at, speed);
   return along;
-}
-
-FurtherStart DampedLaw::further(const Touch& touch, const contact::Pose& at, double speed) {
-  FurtherStart further = AxialLaw::further(touch, at, speed);
-  if (touch.just_bent) further.square.rate = 0.0;
-  return further;
-}
-
-Touch DampedLaw::touch(int blade, double slip, const Bending& bending) const {
-  Touch touch = AxialLaw::touch(blade, slip, bending);
-  touch.yielding = bending.yielding;
-  return touch;
 }
 
 contact::TipForce DampedLaw::force(const Touch& touch, const contact::Pose& at, double speed) const {

@@ -37,14 +37,11 @@ class DampedLaw final : private BladesOfRing, public AxialLaw {
                                                 double speed) const override {
     return open(touch, at, speed);
   }
-  Bending lead(const Touch& touch, bool alone) override;
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override;
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override;
-  FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override;
   [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
                            Interval& interval) const override;
-  [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override;
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override;
 

@@ -20,19 +20,10 @@ double largest_difference(const std::array<double, kSize>& a, const std::array<d
   return largest;
 }
 
-}  // namespace
-
-void EarlierInterval::Places::take(const Body& solved) {
-  start = solved.start;
-  x = solved.x;
-  y = solved.y;
-  vx = solved.vx;
-  vy = solved.vy;
-}
-
-void EarlierInterval::Places::guess(Body& next, const std::array<double, 2>& turn,
-                                    const AtNodes& times) const {
+/// `turn`: cosine and sine of the angle from where the earlier one started to where the next one does.
+void place(const Places& earlier, const std::array<double, 2>& turn, const AtNodes& times, Places& next) {
   const auto [cosine, sine] = turn;
+  const auto& [start, x, y, vx, vy] = earlier;
   const double faster_x = next.start[2] - (start[2] * cosine - start[3] * sine);
   const double faster_y = next.start[3] - (start[3] * cosine + start[2] * sine);
   for (std::size_t i = 0; i < kNodes; ++i) {
@@ -45,6 +36,8 @@ void EarlierInterval::Places::guess(Body& next, const std::array<double, 2>& tur
   }
 }
 
+}  // namespace
+
 void EarlierInterval::take(const Contact& contact, const Interval& solved, double length_of_arc) {
   length = length_of_arc;
   chord = solved.chord;
@@ -52,8 +45,8 @@ void EarlierInterval::take(const Contact& contact, const Interval& solved, doubl
   blade = solved.blade;
   deviation = solved.deviation;
   elapsed = solved.elapsed;
-  shaft.take(solved.shaft);
-  if (contact.machine->ring.moves) ring.take(solved.ring);
+  shaft = solved.shaft;
+  if (contact.machine->ring.moves) ring = solved.ring;
   if (!contact.leans) return;
   start_lean = solved.start_lean;
   lean = solved.lean;
@@ -66,8 +59,8 @@ void EarlierInterval::guess(const Contact& contact, Interval& next) const {
   next.deviation = deviation;
   const std::array<double, 2> turn{next.blade[0] * blade[0] + next.blade[1] * blade[1],
                                    next.blade[1] * blade[0] - next.blade[0] * blade[1]};
-  shaft.guess(next.shaft, turn, elapsed);
-  if (contact.machine->ring.moves) ring.guess(next.ring, turn, elapsed);
+  place(shaft, turn, elapsed, next.shaft);
+  if (contact.machine->ring.moves) place(ring, turn, elapsed, next.ring);
   if (!contact.leans) return;
   for (std::size_t i = 0; i < kNodes; ++i) next.lean[i] = lean[i] + (next.start_lean - start_lean);
 }

@@ -31,14 +31,7 @@ struct EarlierInterval {
   std::array<double, 2> blade{};  ///< er where it starts
   double start_lean = 0.0;        ///< l
   AtNodes deviation, elapsed, lean;
-  struct Places {
-    std::array<double, 4> start{};  ///< place and velocity
-    AtNodes x, y, vx, vy;
-
-    void take(const Body& solved);
-    /// `turn`: cosine and sine of the angle from where this one started to where the next one does.
-    void guess(Body& next, const std::array<double, 2>& turn, const AtNodes& times) const;
-  } shaft, ring;
+  Places shaft, ring;
 
   void take(const Contact& contact, const Interval& solved, double length_of_arc);
   /// Guesses an interval whose start is known: it goes on from there as this one did.

@@ -40,26 +40,20 @@ class InclinedLaw final : public ArcLaw {
   [[nodiscard]] std::uint64_t evaluations() const override { return law_->evaluations(); }
   [[nodiscard]] Blade numbers(int blade) const override {
     const auto& law = law_->of(blade);
-    return {.table = nullptr,
-            .reach = law.geometry().reach,
+    return {.reach = law.geometry().reach,
             .closing = law.geometry().closing(),
             .length = law.length(),
             .load_unit = law.load_unit(),
-            .strain_unit = law.strain_unit(),
-            .friction = 0.0,
-            .yield_unit = 0.0,
-            .first_shortening = 0.0,
-            .first_yielding = 0.0};
+            .strain_unit = law.strain_unit()};
   }
   [[nodiscard]] bool has_slip_state() const override { return law_->of(0).friction().has_slip_state(); }
   [[nodiscard]] bool may_slip_back() const override { return may_slip_back_; }
   [[nodiscard]] bool leans() const override { return true; }
-  [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
   [[nodiscard]] bool has_branches(int /*blade*/) const override { return has_branches_; }
   [[nodiscard]] bool starts_unloaded(int blade, double /*slip*/, const contact::Pose& at) const override {
     return load_of(blade).side * at.tangential > 0.0;
   }
-  [[nodiscard]] double valid_argument(int /*blade*/) const override { return max_shortening_; }
+  [[nodiscard]] double valid_shortening(int /*blade*/) const override { return max_shortening_; }
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                           double speed) const override {
     const auto& law = law_->of(touch.blade);
@@ -173,9 +167,6 @@ class InclinedLaw final : public ArcLaw {
     const InclinedLoad& load = load_of(leader_);
     if (load.table != nullptr) return solve_by_table(contact, load, closeness, interval);
     return solver_.solve_inclined(contact, load, closeness, interval);
-  }
-  void bounds(const Contact& contact, const Interval& interval, Bounds& bounds) const override {
-    solver_.inclined_bounds(contact, interval, bounds);
   }
   [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override {
     const InclinedLoad& load = load_of(blade);

@@ -23,6 +23,18 @@ template <std::size_t kWidth>
 class InclinedSweeps : public ArcSweeps<kWidth, false> {
   using Base = ArcSweeps<kWidth, false>;
   friend Base;
+  using Base::deviation_;
+  using Base::er_;
+  using Base::interval_;
+  using Base::largest_step_;
+  using Base::machine_;
+  using Base::nodes_;
+  using Base::on_shaft;
+  using Base::ring_;
+  using Base::ring_moves;
+  using Base::seen_velocity;
+  using Base::shaft_;
+  using Base::time_rate_;
 
  public:
   using Number = Lanes<kWidth>;
@@ -80,7 +92,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
 
   /// The shaft seen from a blade in the direction er.
   InclinedPose<kWidth> pose_from(const TipStart& start, const Blade& blade, const Direction& er) const {
-    return {pose_of(straight_tip(start, blade, er), blade.reach, er), angular_speed_};
+    return {this->pose_of(this->straight_tip(start, blade, er), blade.reach, er), this->angular_speed_};
   }
   /// The shaft's, as seen from the ring.
   Vector seen_acceleration() const {
@@ -106,8 +118,8 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   template <bool kLight>
   [[gnu::flatten]] double sweep() {  // as `plain_solved` is
     const Interval& in = interval_;
-    take_direction(elapsed());
-    const Number argument = chord_argument_ + deviation_ * in.normal.argument;
+    this->take_direction(this->elapsed());
+    const Number argument = this->chord_argument_ + deviation_ * in.normal.argument;
     const Number square = argument * argument;
     const InclinedPose<kWidth> at = pose_from(in, lead_.numbers(), er_);
     if (!lead_.template stand<!kLight>(bending_of(lead_.inclined(), argument, square), lean_, at))
@@ -141,19 +153,19 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     const Number time_step = step * in.normal.time;
     const Number bending_step = bending_slope_ * (step * in.normal.argument);
     const Direction er_before = er_;
-    turn_on(time_step);
+    this->turn_on(time_step);
     Vector push = on_shaft(lead_.move_on(bending_step, lean_step, time_step, machine_.force_unit), er_);
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       const std::array<double, 2>& offset = in.further[k].offset;
-      if (!step_further<kLight>(in.further[k], further_[k], direction_at(er_before, offset), time_step))
+      if (!step_further<kLight>(in.further[k], further_[k], Base::direction_at(er_before, offset), time_step))
         return std::numeric_limits<double>::quiet_NaN();
-      const Vector more = on_shaft(further_[k].push, offset_by(er_, offset));
+      const Vector more = on_shaft(further_[k].push, Base::offset_by(er_, offset));
       push = {push.x + more.x, push.y + more.y};
     }
     const Vector before = seen_velocity();
     const Vector rate = seen_acceleration();
     const Vector expected{before.x + rate.x * time_step, before.y + rate.y * time_step};
-    move(push);
+    this->move(push);
     const bool rests = lead_.inclined().rests;
     const Number slip = rests ? follow_slip<kLight>(expected) : Number(0.0);
     const Vector found = seen_velocity();
@@ -180,7 +192,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     change.store(slips);
     for (std::size_t k = 0; k < kNodes; ++k) eliminate(k, slips);
     const Number slip(slips);
-    add_push({push_by_slip_.x * slip, push_by_slip_.y * slip});
+    this->add_push({push_by_slip_.x * slip, push_by_slip_.y * slip});
     return slip;
   }
   /// Bends the blade, at rest, to the load that has followed a slip velocity.
@@ -239,7 +251,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     const Number bending_step = (e * tip.h_by_lean - h * tip.e_by_lean) * further.inverse;
     const Number lean_step = (h * tip.e_by_bending - e * tip.h_by_bending) * further.inverse;
     const Number step = argument * 2.0 * (bending_step / further.bending_slope);
-    further.square = stepped(further.square, step, further.lifts_off);
+    further.square = this->stepped(further.square, step, further.lifts_off);
     further.lean = further.lean + lean_step;
     largest_step_ = std::max(largest_step_, magnitude(lean_step).largest());
     further.push = tip.move_on((root(further.square) - argument) * further.bending_slope, lean_step,
@@ -249,19 +261,19 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
 
   void store_tip(const Tip& tip, const Direction& er, TipInTime& kept) const {
     const double radius = machine_.ring_radius;
-    straight_tip(kept, tip.numbers(), er).gap.store(kept.gap);
+    this->straight_tip(kept, tip.numbers(), er).gap.store(kept.gap);
     tip.store(kept);
-    gap_per_deflection(tip, tip.inclined().side, tip.numbers().length, 0.0).store(kept.gap_measure);
-    slip_velocity_of(tip, er, tip.numbers().reach, 1.0 / radius, radius).store(kept.slip_velocity);
+    Base::gap_per_deflection(tip, tip.inclined().side, tip.numbers().length, 0.0).store(kept.gap_measure);
+    this->slip_velocity_of(tip, er, tip.numbers().reach, 1.0 / radius, radius).store(kept.slip_velocity);
   }
   void store() const {
     Interval& in = interval_;
-    store_motion();
+    this->store_motion();
     store_tip(lead_, er_, in);
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       const FurtherTip& further = further_[k];
       FurtherBlade& kept = in.further[k];
-      store_tip(further.tip, direction_at(er_, kept.offset), kept);
+      store_tip(further.tip, Base::direction_at(er_, kept.offset), kept);
       further.square.store(kept.square);
       kept.lifts_off = further.lifts_off;
       // The determinant by p² and l: positive where a slipping tip's branch goes on from the unbent blade.
@@ -272,34 +284,6 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       }
     }
   }
-
-  using Base::add_push;
-  using Base::angular_speed_;
-  using Base::chord_argument_;
-  using Base::deviation_;
-  using Base::direction_at;
-  using Base::elapsed;
-  using Base::er_;
-  using Base::gap_per_deflection;
-  using Base::interval_;
-  using Base::largest_step_;
-  using Base::machine_;
-  using Base::move;
-  using Base::nodes_;
-  using Base::offset_by;
-  using Base::on_shaft;
-  using Base::pose_of;
-  using Base::ring_;
-  using Base::ring_moves;
-  using Base::seen_velocity;
-  using Base::shaft_;
-  using Base::slip_velocity_of;
-  using Base::stepped;
-  using Base::store_motion;
-  using Base::straight_tip;
-  using Base::take_direction;
-  using Base::time_rate_;
-  using Base::turn_on;
 
   Number lean_;
   Tip lead_;

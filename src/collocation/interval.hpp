@@ -58,16 +58,16 @@ struct Machine {
 
 /// A blade and the ring under its tip. Lengths in m.
 struct Blade {
-  const blade::BendingTable* table;  ///< of a blade under an axial load
-  double reach;                      ///< rh + L
-  double closing;                    ///< (rh + L)² − R² [m²]
-  double length;                     ///< L
-  double load_unit;                  ///< EI/L² [N]
-  double strain_unit;                ///< h/(2L) [-]
-  double friction;                   ///< μ [-]
-  double yield_unit;        ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not
-  double first_shortening;  ///< δ/Δ of a blade that is hardly bent [-]
-  double first_yielding;    ///< (F/kr)/Δ there [-]
+  const blade::BendingTable* table = nullptr;  ///< of a blade under an axial load
+  double reach = 0.0;                          ///< rh + L
+  double closing = 0.0;                        ///< (rh + L)² − R² [m²]
+  double length = 0.0;                         ///< L
+  double load_unit = 0.0;                      ///< EI/L² [N]
+  double strain_unit = 0.0;                    ///< h/(2L) [-]
+  double friction = 0.0;                       ///< μ [-]
+  double yield_unit = 0.0;  ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not
+  double first_shortening = 0.0;  ///< δ/Δ of a blade that is hardly bent [-]
+  double first_yielding = 0.0;    ///< (F/kr)/Δ there [-]
   // Of a column that may stand straight: axial shortening under F = EI/L² [m], and the F at which it bends
   // [N].
   double axial_unit = 0.0;
@@ -145,12 +145,14 @@ struct FurtherBlade : TipInTime, FurtherBladeStart {
                      ///< of one that is held beyond the ring
 };
 
-/// Shaft or ring within an interval.
-struct Body {
-  std::array<double, 4> start{};         ///< place [m] and velocity [m per unit τ]
+/// Where shaft or ring are within an interval.
+struct Places {
+  std::array<double, 4> start{};  ///< place [m] and velocity [m per unit τ]
+  AtNodes x, y, vx, vy;           ///< a first guess, then the solution
+};
+struct Body : Places {
   std::array<double, 2> acceleration{};  ///< at the start, for the first guess [m per unit τ²]
   std::array<double, 2> jerk{};          ///< likewise [m per unit τ³]
-  AtNodes x, y, vx, vy;                  ///< a first guess, then the solution
   AtNodes ax, ay;                        ///< [m per unit τ²]
 };
 
@@ -233,13 +235,14 @@ struct Bounds {
   double slip_velocity;  ///< least |v| of the leading blade: no slip reverses where it is positive [m per
                          ///< unit τ]
   double gap_measure;    ///< least g/Δ of the leading blade; the start is left out, where it may be 0 [m]
-  double argument;       ///< largest p of the leading blade; largest δ/L of one under an inclined load
+  double argument;       ///< largest p of the leading blade
+  double shortening;     ///< largest δ/L of it [-]
   double displacement;   ///< largest |z| [m]
   double distance;       ///< largest |c|, of the shaft from the ring's centre [m]
   /// Of a further blade.
   struct OfFurther {
-    double slip_velocity, argument;  ///< likewise
-    bool stays;                      ///< bent, and on its branch
+    double slip_velocity, shortening;  ///< likewise
+    bool stays;                        ///< bent, and on its branch
 
     friend bool operator==(const OfFurther&, const OfFurther&) = default;
   };
@@ -269,7 +272,6 @@ struct IntervalSolver {
   SolveRigid solve_rigid;
   BranchOf inclined_branch;
   BoundsOf bounds;
-  BoundsOf inclined_bounds;
   LargestGap largest_gap;
   ReadStretch read_stretch;
 };

@@ -24,6 +24,7 @@ class IntervalBounds {
     result.slip_velocity = least_magnitude(in.start_slip_velocity, Number(in.slip_velocity));
     result.gap_measure = later(in.start_gap_measure, Number(in.gap_measure)).least();
     result.argument = largest(in.start_argument, Number(in.argument));
+    result.shortening = largest(in.start_shortening, Number(in.shortening));
     const double across = largest_magnitude(in.shaft.start[0], Number(in.shaft.x));
     result.displacement = root_of_squares(across, largest_magnitude(in.shaft.start[1], Number(in.shaft.y)));
     const Place start = start_from_ring();
@@ -42,24 +43,22 @@ class IntervalBounds {
       Bounds::OfFurther& of_blade = result.further[k];
       of_blade.slip_velocity = least_magnitude(blade.start_slip_velocity, Number(blade.slip_velocity));
       const Number squares = later(blade.start_square, Number(blade.square));
-      of_blade.argument = blade.straight ? 0.0 : std::sqrt(std::max(blade.start_square, squares.largest()));
+      of_blade.shortening = largest(blade.start_shortening, Number(blade.shortening));
       const double left = blade.blade->held_beyond_ring && !blade.straight
                               ? least_firmness(blade)
                               : later(blade.start_gap_measure, Number(blade.gap_measure)).least();
       of_blade.stays = !blade.lifts_off && squares.least() > 0.0 && left > 0.0;
     }
+    if (contact_.leans) inclined_bounds(result);
   }
 
-  /// Those of a blade under an inclined load.
+  /// Those of a blade under an inclined load besides.
   void inclined_bounds(Bounds& result) const {
     const Interval& in = interval_;
-    bounds(result);
-    result.argument = largest(in.start_shortening, Number(in.shortening));
     result.chart_left = least_left(in.start_chart_left, in.chart_left);
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       const FurtherBlade& tip = in.further[k];
       Bounds::OfFurther& of_blade = result.further[k];
-      of_blade.argument = largest(tip.start_shortening, Number(tip.shortening));
       // The chart of a slipping tip ends only where the lean is negative. What is left of it begins like a
       // root of the time.
       const bool in_chart = (tip.slip != 0.0 && least(tip.start_lean, Number(tip.lean)) > 0.0) ||
@@ -154,10 +153,6 @@ class IntervalBounds {
 template <std::size_t kWidth>
 void bounds_of(const Contact& contact, const Interval& interval, Bounds& bounds) {
   IntervalBounds<kWidth>(contact, interval).bounds(bounds);
-}
-template <std::size_t kWidth>
-void inclined_bounds_of(const Contact& contact, const Interval& interval, Bounds& bounds) {
-  IntervalBounds<kWidth>(contact, interval).inclined_bounds(bounds);
 }
 template <std::size_t kWidth>
 double largest_gap_of(const Contact& contact, const Interval& interval, const Blade& blade,

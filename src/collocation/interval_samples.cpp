@@ -208,12 +208,16 @@ std::optional<TipTop> top_of_tip(const Machine& machine, const Interval& interva
   return std::nullopt;
 }
 
-AtPlaces gap_rates(const Machine& machine, const Interval& interval, const Blade& blade,
-                   const std::array<double, 2>& offset) {
+TipCourse course_of_tip(const Machine& machine, const Interval& interval, const Blade& blade,
+                        const std::array<double, 2>& offset) {
   const StraightTip tip(machine, interval, blade, offset);
-  AtPlaces rates{};
-  for (std::size_t i = 0; i < kPlaces; ++i) rates[i] = tip.at_place(i).rate;
-  return rates;
+  TipCourse course{};
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    const auto [gap, rate] = tip.at_place(i);
+    course.gap[i] = gap;
+    course.rate[i] = rate;
+  }
+  return course;
 }
 
 double largest_coefficient(const AtPlaces& values) {

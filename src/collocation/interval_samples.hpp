@@ -27,10 +27,13 @@ struct Farthest {
 };
 Farthest farthest(const Interval& interval, double from, double to);
 
-/// Half of dg/dτ [m² per unit τ] of a straight blade at the places. `offset`: cosine and sine of its angle
-/// from the leading one.
-AtPlaces gap_rates(const Machine& machine, const Interval& interval, const Blade& blade,
-                   const std::array<double, 2>& offset);
+/// g [m²] of a straight blade at the places, and half of dg/dτ. `offset`: cosine and sine of its angle from
+/// the leading one.
+struct TipCourse {
+  AtPlaces gap, rate;
+};
+TipCourse course_of_tip(const Machine& machine, const Interval& interval, const Blade& blade,
+                        const std::array<double, 2>& offset);
 /// Bound of the polynomial through values at the places: none is above the largest of Bernstein's
 /// coefficients.
 double largest_coefficient(const AtPlaces& values);

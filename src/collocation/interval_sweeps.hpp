@@ -22,6 +22,12 @@ template <std::size_t kWidth, bool kPlain>
 class Sweeps : public ArcSweeps<kWidth, kPlain> {
   using Base = ArcSweeps<kWidth, kPlain>;
   friend Base;
+  using Base::deviation_;
+  using Base::direction_at;
+  using Base::er_;
+  using Base::interval_;
+  using Base::machine_;
+  using Base::straight_tip;
 
  public:
   using Number = Lanes<kWidth>;
@@ -41,7 +47,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
       further_[k].yielding = interval.further[k].start_yielding;
     }
     lead_.yielding = interval.start_yielding;
-    if (!kPlain) take_time_rate();
+    if (!kPlain) this->take_time_rate();
   }
 
   bool solve() {
@@ -61,7 +67,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   static constexpr double kLittleBent = 0.1;  ///< p: blades that are bent less have shorter last steps
   [[nodiscard]] double largest_step_allowed() const {
     if (is_straight(lead_)) return Base::kLargestStep;
-    const Number argument = chord_argument_ + deviation_ * interval_.normal.argument;
+    const Number argument = this->chord_argument_ + deviation_ * interval_.normal.argument;
     const double largest = std::max(std::abs(interval_.start_argument), magnitude(argument).largest());
     return Base::kLargestStep * std::min(1.0, largest / kLittleBent);
   }
@@ -96,8 +102,8 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   template <bool kLight>
   static Bend bend_of(Tip& tip, const Number& argument) {
     const auto at = Table::places(*tip.blade->table, argument);
-    if (kLight) return Table::curve(at);
-    const Bend bend = Table::curve_with_slopes(at, tip.slope);
+    const Bend bend = Table::template curve<!kLight>(at, tip.slope);
+    if (kLight) return bend;
     tip.slope.shortening = tip.slope.shortening * tip.blade->length;
     tip.slope.deflection = tip.slope.deflection * (tip.slip * tip.blade->length);
     return bend;
@@ -114,7 +120,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     if (!kLight) {
       tip.argument_slope =
           contact::square_change(tip.place, InBlade{tip.slope.shortening, tip.slope.deflection}) * -1.0;
-      tip.rate = contact::tip_rate(this->pose_of(straight, blade.reach, er), angular_speed());
+      tip.rate = contact::tip_rate(this->pose_of(straight, blade.reach, er), this->angular_speed());
       tip.time_slope = contact::square_change(tip.place, tip.rate);
     }
     if (yields(blade)) {
@@ -143,7 +149,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     };
     const Number step(yielding_step(
         *tip.blade, start.start_yielding, at_nodes(tip.yielding), at_nodes(bend.load * tip.blade->load_unit),
-        at_nodes(time_rate_),
+        at_nodes(this->time_rate_),
         {at_nodes(load_by_residual * residual), at_nodes(load_by_residual * by_yielding)},
         {at_nodes(time_by_residual * residual + time_step), at_nodes(time_by_residual * by_yielding)}));
     tip.yielding = tip.yielding + step;
@@ -188,8 +194,8 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
       residual = yield(tip, interval_.further[k], bend, residual, Number(-1.0) / tip.argument_slope,
                        Number(0.0), time_step);
     const Number step = argument * -2.0 * (residual / tip.argument_slope);
-    tip.square = stepped(tip.square, step, tip.lifts_off);
-    return push_of(tip, bend, root(tip.square) - argument, time_step, offset_by(er_, offset));
+    tip.square = this->stepped(tip.square, step, tip.lifts_off);
+    return push_of(tip, bend, root(tip.square) - argument, time_step, Base::offset_by(er_, offset));
   }
 
   /// Returns the largest change of a velocity [m per unit τ].
@@ -199,12 +205,12 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   template <bool kLight>
   double sweep() {
     const Interval& in = interval_;
-    know_direction();
+    this->know_direction();
     if (is_straight(lead_)) {
-      largest_step_ = 0.0;
+      this->largest_step_ = 0.0;
       return move_by<kLight>(push_of_straight(in, lead_, er_), er_, Number(0.0));
     }
-    const Bend bend = bend_of<kLight>(lead_, chord_argument_ + deviation_ * in.normal.argument);
+    const Bend bend = bend_of<kLight>(lead_, this->chord_argument_ + deviation_ * in.normal.argument);
     Number residual = residual_of<kLight>(lead_, in, bend, er_);
     if (!kLight) {
       per_residual_ =
@@ -217,10 +223,10 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     // One Newton step along the normal; what follows is taken at its end.
     const Number step = residual * per_residual_;
     deviation_ = deviation_ + step;
-    largest_step_ = magnitude(step).largest();
+    this->largest_step_ = magnitude(step).largest();
     const Number time_step = step * in.normal.time;
     const Direction er_before = er_;
-    turn_on(time_step);
+    this->turn_on(time_step);
     const Vector push = push_of(lead_, bend, step * in.normal.argument, time_step, er_);
     return move_by<kLight>(push, er_before, time_step);
   }
@@ -242,9 +248,9 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
         push = {push.x + more.x, push.y + more.y};
       }
     }
-    if (skimming == nullptr) return move(push);
+    if (skimming == nullptr) return this->move(push);
     share_ = share_on_ring(push, full, *skimming->blade, er);
-    return move({push.x + full.x * share_, push.y + full.y * share_});
+    return this->move({push.x + full.x * share_, push.y + full.y * share_});
   }
 
   [[nodiscard]] static bool skims(const Tip& tip) { return !kPlain && tip.skims; }
@@ -252,17 +258,17 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   /// centre has p·p'' + p'·p' = 0 there.
   Number share_on_ring(const Vector& others, const Vector& full, const Blade& blade, const Direction& er) {
     this->accelerate(others);
-    Vector acceleration{shaft_.ax, shaft_.ay};
+    Vector acceleration{this->shaft_.ax, this->shaft_.ay};
     if (this->ring_has_mass()) {
       const Vector ring = this->acceleration_of_ring(others);
       acceleration = {acceleration.x - ring.x, acceleration.y - ring.y};
     }
-    const Number speed = angular_speed();
+    const Number speed = this->angular_speed();
     const Number turning = this->angular_acceleration() * blade.reach;
     const Number inward = speed * speed * blade.reach;
     acceleration = {acceleration.x - turning * er.y - inward * er.x,
                     acceleration.y + turning * er.x - inward * er.y};
-    const Vector seen = seen_velocity();
+    const Vector seen = this->seen_velocity();
     const Number by_turning = speed * blade.reach;
     const Vector velocity{seen.x - by_turning * er.y, seen.y + by_turning * er.x};
     const auto straight = straight_tip(interval_, blade, er);
@@ -297,6 +303,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     slip_velocity_of(tip, er).store(stored.slip_velocity);
     (load * blade.load_unit).store(stored.normal_force);
     Number(0.0).store(stored.root_strain);
+    (tip.bent.along * (1.0 / blade.length)).store(stored.shortening);
     (load * -blade.load_unit + blade.buckling_load).store(stored.cone_left);
   }
   void store_straight(const Blade& blade, const Direction& er, TipInTime& stored) const {
@@ -305,16 +312,18 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     tip.slip_velocity.store(stored.slip_velocity);
     (tip.yielding * blade.ring_stiffness).store(stored.normal_force);
     Number(0.0).store(stored.root_strain);
+    Number(0.0).store(stored.shortening);
     tip.depth.store(stored.yielding);
   }
 
   /// g/Δ of a tip [m], as h = 0 has it. Next to the unbent blade F/kr is Δ's share there.
   static Number gap_measure_of(const Tip& tip, double ring_radius) {
     const Blade& blade = *tip.blade;
-    const Number measure = gap_per_deflection(tip, tip.slip, blade.length, blade.first_shortening);
+    const Number measure = Base::gap_per_deflection(tip, tip.slip, blade.length, blade.first_shortening);
     if (!yields(blade)) return measure;
-    const Number yielding = larger(tip.yielding, Number(blade.first_yielding * kUnbent * blade.length));
-    return measure + yielding / bent_by(tip, tip.slip, blade.length) * (tip.yielding + 2.0 * ring_radius);
+    const Number yielding = larger(tip.yielding, Number(blade.first_yielding * Base::kUnbent * blade.length));
+    return measure +
+           yielding / Base::bent_by(tip, tip.slip, blade.length) * (tip.yielding + 2.0 * ring_radius);
   }
   Number slip_velocity_of(const Tip& tip, const Vector& er) const {
     const double radius = machine_.ring_radius;
@@ -336,7 +345,6 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     const Number shortening = tip.bent.along * (1.0 / blade.length);
     const Number lever =
         tip.bent.across * (tip.slip / blade.length) + (Number(1.0) - shortening) * blade.friction;
-    shortening.store(stored.shortening);
     (tip.load * lever * (blade.strain_unit / blade.load_unit)).store(stored.root_strain);
   }
   void store(const Tip& tip, const Direction& er, TipInTime& stored) const {
@@ -354,12 +362,13 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     }
     slip_velocity_of(tip, er).store(stored.slip_velocity);
     (skims(tip) ? tip.load * share_ : tip.load).store(stored.normal_force);
+    (tip.bent.along * (1.0 / tip.blade->length)).store(stored.shortening);
     if (leans_) store_bend(tip, stored);
     if (is_damped(*tip.blade)) tip.yielding.store(stored.yielding);
   }
   void store() const {
     Interval& in = interval_;
-    store_motion();
+    this->store_motion();
     store(lead_, er_, in);
     for (std::size_t k = 0; k < in.further.size(); ++k) {
       store(further_[k], direction_at(er_, in.further[k].offset), in.further[k]);
@@ -373,29 +382,6 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
       }
     }
   }
-
-  using Base::angular_speed;
-  using Base::bent_by;
-  using Base::chord_argument_;
-  using Base::deviation_;
-  using Base::direction_at;
-  using Base::er_;
-  using Base::gap_per_deflection;
-  using Base::interval_;
-  using Base::know_direction;
-  using Base::kUnbent;
-  using Base::largest_step_;
-  using Base::machine_;
-  using Base::move;
-  using Base::offset_by;
-  using Base::seen_velocity;
-  using Base::shaft_;
-  using Base::stepped;
-  using Base::store_motion;
-  using Base::straight_tip;
-  using Base::take_time_rate;
-  using Base::time_rate_;
-  using Base::turn_on;
 
   bool leans_;
   Tip lead_;

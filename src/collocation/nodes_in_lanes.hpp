@@ -40,9 +40,7 @@ class Lanes {
   void store(AtNodes& at) const { store_to(at.value.data()); }
   /// From, and to, eight numbers on a boundary of 64 bytes.
   static Lanes loaded(const double* from) {
-    Lanes result;
-    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = loaded_part<kWidth>(from + i * kWidth);
-    return result;
+    return of([&](std::size_t i) { return loaded_part<kWidth>(from + i * kWidth); });
   }
   void store_to(double* to) const {
     for (std::size_t i = 0; i < kParts; ++i) {
@@ -52,39 +50,25 @@ class Lanes {
   }
 
   friend Lanes operator+(const Lanes& a, const Lanes& b) {
-    Lanes result;
-    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = a.part_[i] + b.part_[i];
-    return result;
+    return of([&](std::size_t i) { return a.part_[i] + b.part_[i]; });
   }
   friend Lanes operator-(const Lanes& a, const Lanes& b) {
-    Lanes result;
-    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = a.part_[i] - b.part_[i];
-    return result;
+    return of([&](std::size_t i) { return a.part_[i] - b.part_[i]; });
   }
   friend Lanes operator*(const Lanes& a, const Lanes& b) {
-    Lanes result;
-    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = a.part_[i] * b.part_[i];
-    return result;
+    return of([&](std::size_t i) { return a.part_[i] * b.part_[i]; });
   }
   friend Lanes operator/(const Lanes& a, const Lanes& b) {
-    Lanes result;
-    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = a.part_[i] / b.part_[i];
-    return result;
+    return of([&](std::size_t i) { return a.part_[i] / b.part_[i]; });
   }
   friend Lanes larger(const Lanes& a, const Lanes& b) {
-    Lanes result;
-    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = larger_of(a.part_[i], b.part_[i]);
-    return result;
+    return of([&](std::size_t i) { return larger_of(a.part_[i], b.part_[i]); });
   }
   friend Lanes smaller(const Lanes& a, const Lanes& b) {
-    Lanes result;
-    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = smaller_of(a.part_[i], b.part_[i]);
-    return result;
+    return of([&](std::size_t i) { return smaller_of(a.part_[i], b.part_[i]); });
   }
   friend Lanes magnitude(const Lanes& a) {
-    Lanes result;
-    for (std::size_t i = 0; i < kParts; ++i) result.part_[i] = Part(Bits(a.part_[i]) & ~sign_bits());
-    return result;
+    return of([&](std::size_t i) { return Part(Bits(a.part_[i]) & ~sign_bits()); });
   }
   /// The magnitude of a with the sign of b.
   friend Lanes with_sign_of(const Lanes& a, const Lanes& b) {

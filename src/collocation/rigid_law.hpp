@@ -28,36 +28,22 @@ class RigidLaw final : public ArcLaw {
 
   [[nodiscard]] Blade numbers(int blade) const override {
     const auto& law = law_->of(blade);
-    return {.table = nullptr,
-            .reach = law.geometry().reach,
+    return {.reach = law.geometry().reach,
             .closing = law.geometry().closing(),
-            .length = 0.0,
-            .load_unit = 0.0,
-            .strain_unit = 0.0,
-            .friction = 0.0,
-            .yield_unit = 0.0,
-            .first_shortening = 0.0,
-            .first_yielding = 0.0,
             .ring_stiffness = law.stiffness(),
             .ring_damping = law.damping()};
   }
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return law_->of(blade).geometry(); }
   [[nodiscard]] bool has_slip_state() const override { return friction_.has_slip_state(); }
-  [[nodiscard]] bool leans() const override { return false; }
   [[nodiscard]] bool is_rigid() const override { return true; }
   [[nodiscard]] bool ends_at_ring() const override { return law_->of(0).damping() == 0.0; }
   /// With a ring without mass v jumps, and a tip that would slip back is beyond the model.
   [[nodiscard]] bool may_slip_back() const override {
     return has_slip_state() && !friction_.sticks && machine_->following_ring() == nullptr;
   }
-  [[nodiscard]] bool releases_at_fold(int /*blade*/) const override { return false; }
-  [[nodiscard]] bool has_branches(int /*blade*/) const override { return false; }
   [[nodiscard]] bool starts_unloaded(int /*blade*/, double /*slip*/,
                                      const contact::Pose& /*at*/) const override {
     return ends_at_ring();
-  }
-  [[nodiscard]] double valid_argument(int /*blade*/) const override {
-    return std::numeric_limits<double>::infinity();
   }
   /// A tip that moves inwards faster than a ring with dampers pushes it lifts off at once.
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
@@ -79,12 +65,6 @@ class RigidLaw final : public ArcLaw {
     start.tip.start_cone_left = (largest * largest - touch.holding * touch.holding) * load * load;
     return start;
   }
-  [[nodiscard]] Tangent tangent(const Touch& /*touch*/, const contact::Pose& /*at*/, double /*speed*/,
-                                const std::complex<double>& /*acceleration*/) const override {
-    return {1.0, 0.0, 0.0};
-  }
-  [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override { return {}; }
-  [[nodiscard]] double deflection_per_square() const override { return 0.0; }
   FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override {
     const Start there = start(touch, at, speed);
     return {.blade = touch.blade,
@@ -96,9 +76,6 @@ class RigidLaw final : public ArcLaw {
   [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
                            Interval& interval) const override {
     return solver_.solve_rigid(contact, friction_, closeness, interval) && resolves_friction(interval);
-  }
-  void bounds(const Contact& contact, const Interval& interval, Bounds& bounds) const override {
-    solver_.bounds(contact, interval, bounds);
   }
   [[nodiscard]] Touch touch(int blade, double slip, const Bending& /*bending*/) const override {
     return {blade, slip, 0.0};
@@ -125,9 +102,6 @@ class RigidLaw final : public ArcLaw {
     if (machine_->following_ring() == nullptr) return;
     rotor::ContactState placed = rotor::full_state(bodies, time, 0.0);
     if (rotor::RingBalance(*machine_, *law_, touching).place(placed)) bodies = rotor::bodies(placed);
-  }
-  [[nodiscard]] Rates rates(const Bending& /*bending*/, const Tangent& /*along*/) const override {
-    return {};
   }
 
  private:

@@ -18,6 +18,12 @@ template <std::size_t kWidth, bool kPlain>
 class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   using Base = ArcSweeps<kWidth, kPlain>;
   friend Base;
+  using Base::er_;
+  using Base::interval_;
+  using Base::machine_;
+  using Base::rigid_tip_of;
+  using Base::ring_;
+  using Base::shaft_;
 
  public:
   using Number = Lanes<kWidth>;
@@ -25,7 +31,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   RigidSweeps(const Contact& contact, const contact::Friction& friction, const Closeness& closeness,
               Interval& interval)
       : Base(contact, closeness, interval), contact_(contact), friction_(friction) {
-    take_direction(elapsed());
+    this->take_direction(this->elapsed());
   }
 
   bool solve() { return this->converge(*this, kMostSweeps, kMostSweeps); }
@@ -48,7 +54,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   /// What it does to the shaft, as an acceleration.
   Vector push_of(const Touching& at) const {
     const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
-    return push_of_rigid(at.blade, tip, friction_.at(tip.slip_velocity, at.slip).coefficient, at.er);
+    return this->push_of_rigid(at.blade, tip, friction_.at(tip.slip_velocity, at.slip).coefficient, at.er);
   }
 
   /// Calls `use` with each blade in contact.
@@ -57,7 +63,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     use(Touching{interval_, *contact_.blade, contact_.slip, er_});
     for (std::size_t k = 0; k < interval_.further.size(); ++k) {
       const FurtherBlade& further = interval_.further[k];
-      use(Touching{further, *further.blade, further.slip, direction_at(er_, further.offset)});
+      use(Touching{further, *further.blade, further.slip, Base::direction_at(er_, further.offset)});
     }
   }
 
@@ -88,7 +94,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       const Direction& er = at.er;
       const double friction = at.slip * friction_.friction;
       const double stiffness = at.blade.ring_stiffness;
-      const Vector normal = on_shaft(tip.normal, er);
+      const Vector normal = Base::on_shaft(tip.normal, er);
       const Number load = tip.yielding * stiffness;
       sum.excess.x = sum.excess.x + load * (normal.x - normal.y * friction);
       sum.excess.y = sum.excess.y + load * (normal.y + normal.x * friction);
@@ -104,7 +110,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       sum.stiffness.xy = sum.stiffness.xy + change.xy;
       sum.stiffness.yx = sum.stiffness.yx + change.yx;
       sum.stiffness.yy = sum.stiffness.yy + change.yy;
-      const Number tip_speed = angular_speed() * at.blade.reach;
+      const Number tip_speed = this->angular_speed() * at.blade.reach;
       const Vector velocity{shaft_.vx - tip_speed * er.y, shaft_.vy + tip_speed * er.x};
       sum.carried.x = sum.carried.x + (change.xx * velocity.x + change.xy * velocity.y);
       sum.carried.y = sum.carried.y + (change.yx * velocity.x + change.yy * velocity.y);
@@ -117,7 +123,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     const Vector step = balance.solved(balance.excess);
     ring_.x = ring_.x + step.x;
     ring_.y = ring_.y + step.y;
-    largest_step_ = larger(magnitude(step.x), magnitude(step.y)).largest() / machine_.ring_radius;
+    this->largest_step_ = larger(magnitude(step.x), magnitude(step.y)).largest() / machine_.ring_radius;
   }
   /// Where the shaft has been found to be, with the ring's velocity and acceleration.
   void settle_ring() {
@@ -126,28 +132,28 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     const Vector velocity = balance.solved(balance.carried);
     ring_.vx = velocity.x;
     ring_.vy = velocity.y;
-    const Number time_step = Number(1.0) / time_rate_;
-    ring_.ax = Number::combined(nodes_.slope, ring_.vx - interval_.ring.start[2]) * time_step;
-    ring_.ay = Number::combined(nodes_.slope, ring_.vy - interval_.ring.start[3]) * time_step;
+    const Number time_step = Number(1.0) / this->time_rate_;
+    ring_.ax = Number::combined(this->nodes_.slope, ring_.vx - interval_.ring.start[2]) * time_step;
+    ring_.ay = Number::combined(this->nodes_.slope, ring_.vy - interval_.ring.start[3]) * time_step;
   }
 
   template <bool kLight>
   [[gnu::flatten]] double sweep() {  // as `plain_solved` is
-    if (ring_is_massless()) {
+    if (this->ring_is_massless()) {
       place_ring();
       const double share = -machine_.ring.spring * machine_.force_unit;
       const Vector place = ring_.place(interval_.ring);
-      return move({place.x * share, place.y * share});
+      return this->move({place.x * share, place.y * share});
     }
     Vector push{Number(0.0), Number(0.0)};
     each_blade([&](const Touching& at) {
       const Vector more = push_of(at);
       push = {push.x + more.x, push.y + more.y};
     });
-    if (count_at_rest() == 0) return move(push);
-    accelerate(push);
+    if (count_at_rest() == 0) return this->move(push);
+    this->accelerate(push);
     hold();
-    return advance(push);
+    return this->advance(push);
   }
 
   /// Adds the friction that keeps tips at rest: −q t of each, such that dv/dτ vanishes
@@ -160,13 +166,13 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       if (at.slip != 0.0 || count == contact::kMostAtRest) return;
       const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
       const Direction& er = at.er;
-      const Number speed = angular_speed();
-      const Vector normal = on_shaft(tip.normal, er);
+      const Number speed = this->angular_speed();
+      const Vector normal = Base::on_shaft(tip.normal, er);
       const Vector along{normal.y * -1.0, normal.x};
       // The hub's own angular acceleration moves the tip across the blade.
       const typename Base::InBlade acceleration{
           shaft_.ax * er.x + shaft_.ay * er.y,
-          (shaft_.ay * er.x - shaft_.ax * er.y) + angular_acceleration() * at.blade.reach};
+          (shaft_.ay * er.x - shaft_.ax * er.y) + this->angular_acceleration() * at.blade.reach};
       pull_[count] =
           contact::slip_acceleration(tip.normal, tip.distance, contact::tip_rate(tip.at, speed),
                                      contact::tip_acceleration(tip.at, speed, acceleration), speed);
@@ -193,12 +199,12 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   }
 
   void store() {
-    if (ring_is_massless()) settle_ring();
-    store_motion();
+    if (this->ring_is_massless()) settle_ring();
+    this->store_motion();
     std::size_t at_rest = 0;
     store_tip(*contact_.blade, contact_.slip, er_, at_rest, interval_);
     for (FurtherBlade& further : interval_.further) {
-      store_tip(*further.blade, further.slip, direction_at(er_, further.offset), at_rest, further);
+      store_tip(*further.blade, further.slip, Base::direction_at(er_, further.offset), at_rest, further);
       further.square = further.gap_measure;
     }
   }
@@ -206,7 +212,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   void store_tip(const Blade& blade, double slip, const Direction& er, std::size_t& at_rest,
                  TipInTime& kept) const {
     const Tip tip = rigid_tip_of(kept, blade, er);
-    straight_tip(kept, blade, er).gap.store(kept.gap);
+    this->straight_tip(kept, blade, er).gap.store(kept.gap);
     tip.yielding.store(kept.gap_measure);
     tip.slip_velocity.store(kept.slip_velocity);
     (tip.yielding * blade.ring_stiffness).store(kept.normal_force);
@@ -217,29 +223,6 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     (largest * largest - pull_[at_rest] * pull_[at_rest]).store(kept.cone_left);
     ++at_rest;
   }
-
-  using Base::accelerate;
-  using Base::advance;
-  using Base::angular_acceleration;
-  using Base::angular_speed;
-  using Base::direction_at;
-  using Base::elapsed;
-  using Base::er_;
-  using Base::interval_;
-  using Base::largest_step_;
-  using Base::machine_;
-  using Base::move;
-  using Base::nodes_;
-  using Base::on_shaft;
-  using Base::push_of_rigid;
-  using Base::rigid_tip_of;
-  using Base::ring_;
-  using Base::ring_is_massless;
-  using Base::shaft_;
-  using Base::store_motion;
-  using Base::straight_tip;
-  using Base::take_direction;
-  using Base::time_rate_;
 
   const Contact& contact_;
   const contact::Friction& friction_;

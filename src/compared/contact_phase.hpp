@@ -34,22 +34,18 @@ class ContactPhase final : public Phase {
   ContactPhase(const ContactPhase&) = delete;  // members hold pointers to each other
   ContactPhase& operator=(const ContactPhase&) = delete;
 
-  bool start(double time, const rotor::ShaftAndRing& state,
-             const std::vector<OpenContact>& contacts) override {
+  ending::StatusDetail start(double time, const rotor::ShaftAndRing& state,
+                             const std::vector<OpenContact>& contacts) override {
+    using ending::StatusDetail;
     pending_ = false;
-    refusal_ = ending::StatusDetail::no_equilibrium;
     FullState full;
-    if (!mode_.open(time, state, contacts, full) || !step_.begin(full)) return false;
+    if (!mode_.open(time, state, contacts, full) || !step_.begin(full)) return StatusDetail::no_equilibrium;
     mode_.begun();
-    refusal_ = ending::StatusDetail::none;
-    if (mode_.shortening() > mode_.limits().max_shortening) refusal_ = ending::StatusDetail::shortening_limit;
-    if (mode_.beyond_ring(step_.start()) > 0.0) refusal_ = ending::StatusDetail::shaft_at_ring;
-    if (refusal_ != ending::StatusDetail::none) return false;
+    if (mode_.beyond_ring(step_.start()) > 0.0) return StatusDetail::shaft_at_ring;
+    if (mode_.shortening() > mode_.limits().max_shortening) return StatusDetail::shortening_limit;
     search_.begin(mode_.slip_rounding(full));
-    return true;
+    return StatusDetail::none;
   }
-
-  [[nodiscard]] ending::StatusDetail refusal() const override { return refusal_; }
 
   ModeEnd advance(double until, MotionListener& listener) override {
     using Outcome = typename integrate::ControlledStep<Mode>::Outcome;
@@ -202,9 +198,8 @@ class ContactPhase final : public Phase {
   WorkMeter* meter_;
   bool pending_ = false;         ///< a step has been made and not been recorded to its end
   ModeEnd end_{Guard::horizon};  ///< what happens at the end of that step's segment
-  ending::StatusDetail refusal_ = ending::StatusDetail::none;
-  double end_fraction_ = 1.0;   ///< of the step, where the segment ends
-  double segment_begin_ = 0.0;  ///< recorded up to here
+  double end_fraction_ = 1.0;    ///< of the step, where the segment ends
+  double segment_begin_ = 0.0;   ///< recorded up to here
   double segment_end_ = 0.0;
   double segment_limit_ = 0.0;
 };

@@ -32,8 +32,6 @@ class ElasticBladeOnDampedRing {
  public:
   ElasticBladeOnDampedRing(ElasticaContact blade, DampedRing ring) : blade_(std::move(blade)), ring_(ring) {}
 
-  using OfBlade = ElasticBladeOnDampedRing;
-  [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const Geometry& geometry() const { return blade_.geometry(); }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return blade_.curve(); }
   [[nodiscard]] Friction friction() const { return blade_.friction(); }

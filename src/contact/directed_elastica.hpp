@@ -55,9 +55,6 @@ class DirectedElastica {
         curve_(std::move(curve)) {}
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
-  /// The law of one blade: the same for all.
-  using OfBlade = DirectedElastica;
-  [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] LoadDirection direction() const { return direction_; }
   [[nodiscard]] const Friction& friction() const { return friction_; }
   [[nodiscard]] double length() const { return length_; }            ///< L [m]
@@ -196,12 +193,6 @@ class DirectedElastica {
   /// contact (g < 0), where Runge–Kutta stages may land, the force is continued as in `ElasticaContact`.
   bool respond(const Pose& at, double slip, double angular_speed, double& bending, double& amplitude,
                TipForce& force) const;
-
-  /// The same where only `bending` is carried along: φ is found first.
-  bool respond(const Pose& at, double slip, double angular_speed, double& bending, TipForce& force) const {
-    double amplitude = 0.0;
-    return respond(at, slip, angular_speed, bending, amplitude, force);
-  }
 
   /// The blade that holds its tip at rest on the ring, found from the bend `near`; none where no blade can.
   struct Rest {

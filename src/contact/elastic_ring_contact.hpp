@@ -17,9 +17,6 @@ class ElasticRingContact {
       : geometry_(geometry), stiffness_(stiffness), friction_(friction), damping_(damping) {}
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
-  /// The law of one blade: the same for all.
-  using OfBlade = ElasticRingContact;
-  [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const Friction& friction() const { return friction_; }
   [[nodiscard]] double stiffness() const { return stiffness_; }  ///< kr [N/m]
   [[nodiscard]] double damping() const { return damping_; }      ///< cr ωn [N per (m per unit τ)]

@@ -198,42 +198,6 @@ auto ElasticaContact::incline(const Pose& at, double slip, const blade::CurvePoi
           unit * (std::abs(parts.shortening) + std::abs(parts.deflection) + std::abs(parts.ring))};
 }
 
-std::optional<double> ElasticaContact::solve_near_on_branch(const Pose& at, double slip,
-                                                            double bending) const {
-  if (bending == 0.0) {
-    if (may_stand_straight_ && straight_load(at) <= blade::kEulerLoad) return 0.0;
-    // What starts from the unloaded blade, or the column where it buckles without a jump.
-    const Branches all = branches(at, slip);
-    if (all.count > 0 && all.list[0].begin == 0.0) return root_on(at, slip, all.list[0]);
-    return may_stand_straight_ ? std::nullopt : solve(at, slip);
-  }
-  // Newton, as long as no fold can lie between the root and where the blade comes from: between two places
-  // where h falls it can rise only where its slope is small against what it bends by in between.
-  constexpr double kBend = 10.0;
-  const double from = bending;
-  Incline first{};
-  double previous = std::numeric_limits<double>::infinity();
-  for (int iteration = 0; iteration < 12; ++iteration) {
-    const blade::CurvePoint point = curve_at(bending);
-    const Incline here = incline(at, slip, point);
-    if (!(here.rise < 0.0)) break;
-    if (iteration == 0) first = here;
-    const double step = -residual(at, slip, point) / slope(at, slip, point);
-    const double size = std::abs(step);
-    bending += step;
-    if (!(bending > 0.0) || bending > curve_->end()) break;
-    if (size <= 4e-16 * bending || (size < 1e-9 * bending && size >= 0.5 * previous)) {
-      const double moved = (bending - from) / std::min(bending, from);
-      const double least = std::min(-first.rise, -here.rise);
-      if (kBend * moved * moved * std::max(first.parts, here.parts) < least) return bending;
-      break;
-    }
-    previous = size;
-  }
-  const Branches all = branches(at, slip);
-  return all.count > 0 ? root_on(at, slip, all.list[all.of(from)]) : std::nullopt;
-}
-
 std::optional<double> ElasticaContact::snap(const Pose& at, double slip, double bending,
                                             double angular_speed) const {
   const Branches all = branches(at, slip);
@@ -253,23 +217,43 @@ std::optional<double> ElasticaContact::snap(const Pose& at, double slip, double 
 }
 
 std::optional<double> ElasticaContact::solve_near(const Pose& at, double slip, double bending) const {
-  if (has_branches_) return solve_near_on_branch(at, slip, bending);
+  if (has_branches_ && bending == 0.0) {
+    if (may_stand_straight_ && straight_load(at) <= blade::kEulerLoad) return 0.0;
+    // What starts from the unloaded blade, or the column where it buckles without a jump.
+    const Branches all = branches(at, slip);
+    if (all.count > 0 && all.list[0].begin == 0.0) return root_on(at, slip, all.list[0]);
+    return may_stand_straight_ ? std::nullopt : solve(at, slip);
+  }
   // Newton on the falling branch. Its floor is the rounding of g against the slope, so it ends when a step no
-  // longer shrinks; a step that leaves the branch hands over to the bracketing solver.
+  // longer shrinks; a step that leaves the branch hands over to the bracketing solver. Between two places
+  // where h falls it can rise, so that a fold lies between them, only where its slope is small against what
+  // it bends by in between.
+  constexpr double kBend = 10.0;
+  const double from = bending;
+  Incline first{};
   double previous = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < 12; ++iteration) {
     const blade::CurvePoint point = curve_at(bending);
-    const double h = residual(at, slip, point);
     const double descent = slope(at, slip, point);
     if (!(descent < 0.0)) break;
-    const double step = -h / descent;
+    if (has_branches_ && iteration == 0) first = incline(at, slip, point);
+    const double step = -residual(at, slip, point) / descent;
     const double size = std::abs(step);
     bending += step;
     if (!(bending > 0.0) || bending > curve_->end()) break;
-    if (size <= 4e-16 * bending || (size < 1e-9 * bending && size >= 0.5 * previous)) return bending;
+    if (size <= 4e-16 * bending || (size < 1e-9 * bending && size >= 0.5 * previous)) {
+      if (!has_branches_) return bending;
+      const Incline here = incline(at, slip, point);
+      const double moved = (bending - from) / std::min(bending, from);
+      const double least = std::min(-first.rise, -here.rise);
+      if (kBend * moved * moved * std::max(first.parts, here.parts) < least) return bending;
+      break;
+    }
     previous = size;
   }
-  return solve(at, slip);
+  if (!has_branches_) return solve(at, slip);
+  const Branches all = branches(at, slip);
+  return all.count > 0 ? root_on(at, slip, all.list[all.of(from)]) : std::nullopt;
 }
 
 bool ElasticaContact::respond(const Pose& at, double slip, double angular_speed, double& bending,

@@ -98,9 +98,6 @@ class ElasticaContact {
   }
 
   [[nodiscard]] const Geometry& geometry() const { return blade_.geometry; }
-  /// The law of one blade: the same for all.
-  using OfBlade = ElasticaContact;
-  [[nodiscard]] const OfBlade& of(int /*blade*/) const { return *this; }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return *curve_; }
   [[nodiscard]] Friction friction() const { return Friction::coulomb(blade_.friction); }
   [[nodiscard]] double length() const { return blade_.length; }            ///< L [m]
@@ -297,7 +294,6 @@ class ElasticaContact {
   }
   [[nodiscard]] std::optional<double> root_on(const Pose& at, double slip, const Branch& branch) const;
   [[nodiscard]] std::optional<double> solve_on_branches(const Pose& at, double slip) const;
-  [[nodiscard]] std::optional<double> solve_near_on_branch(const Pose& at, double slip, double bending) const;
   /// Whether a blade stands on another branch than the one that starts from the unloaded blade.
   [[nodiscard]] bool stands_beyond_fold(const Pose& at, double slip, double bending) const;
   /// `rise`, and the sum of the magnitudes of which it is made.

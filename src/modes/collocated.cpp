@@ -33,8 +33,9 @@ std::unique_ptr<ContactPhases> phases_on_arcs(const ContactSetup& setup) {
   return std::make_unique<PhasesOnArcs>(setup, std::move(arcs));
 }
 
-bool Collocated::start(double time, const rotor::ShaftAndRing& state,
-                       const std::vector<OpenContact>& contacts) {
+ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& state,
+                                       const std::vector<OpenContact>& contacts) {
+  using ending::StatusDetail;
   contacts_ = contacts;
   start_ = state;
   start_time_ = time;
@@ -43,7 +44,7 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
   const std::uint64_t evaluations = law_->evaluations();
   touching_.clear();
   at_once_.reset();
-  refusal_ = ending::StatusDetail::none;
+  auto refusal = StatusDetail::none;
   for (std::size_t i = 0; i < contacts.size() && touching_.size() == i; ++i) {
     const OpenContact& open = contacts[i];
     Point there;
@@ -70,16 +71,15 @@ bool Collocated::start(double time, const rotor::ShaftAndRing& state,
     } else if (open.bend.modulus != 0.0) {
       at_once_ = {Guard::snap, open.blade};
     } else {
-      refusal_ = ending::StatusDetail::no_equilibrium;
+      refusal = StatusDetail::no_equilibrium;
     }
   }
   meter_->spend(Work::contact,
                 static_cast<std::int64_t>(law_->evaluations() - evaluations) * WorkPrice::kInclinedCurve);
-  if (touching_.size() < contacts.size()) return refusal_ == ending::StatusDetail::none;
+  if (touching_.size() < contacts.size()) return refusal;
   arc_.begin(time, state, touching_);
-  if (arc_.shortening_at_start() > max_shortening_) refusal_ = ending::StatusDetail::shortening_limit;
-  if (!arc_.starts_within_ring()) refusal_ = ending::StatusDetail::shaft_at_ring;
-  return refusal_ == ending::StatusDetail::none;
+  if (!arc_.starts_within_ring()) return StatusDetail::shaft_at_ring;
+  return arc_.shortening_at_start() > max_shortening_ ? StatusDetail::shortening_limit : StatusDetail::none;
 }
 
 ModeEnd Collocated::advance(double until, MotionListener& listener) {

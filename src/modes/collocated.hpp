@@ -38,10 +38,8 @@ class Collocated final : public Phase {
         arc_(machine, *law_, limits.tolerance),
         most_bent_of_blades_(static_cast<std::size_t>(blades_->count())) {}
 
-  /// Starts at time τ of the revolution. False also where a blade has no equilibrium.
-  bool start(double time, const rotor::ShaftAndRing& state,
-             const std::vector<OpenContact>& contacts) override;
-  [[nodiscard]] ending::StatusDetail refusal() const override { return refusal_; }
+  ending::StatusDetail start(double time, const rotor::ShaftAndRing& state,
+                             const std::vector<OpenContact>& contacts) override;
 
   ModeEnd advance(double until, MotionListener& listener) override;
   void shift_time(double period) override;
@@ -115,7 +113,6 @@ class Collocated final : public Phase {
   std::vector<collocation::Touch> touching_;  ///< where they began
   rotor::ShaftAndRing start_ = rotor::ShaftAndRing::Zero();
   double start_time_ = 0.0;
-  ending::StatusDetail refusal_ = ending::StatusDetail::none;
   std::optional<ModeEnd> at_once_;  ///< one of the blades does not stand where they begin
   bool pending_ = false;            ///< an interval has been made and not been recorded to its end
   std::vector<trajectory::ContactForce> forces_at_node_;

@@ -78,8 +78,9 @@ class ContactModes {
     return judge_ && judge_->arrest(state, contacts, contact);
   }
   bool let_go(const rotor::ContactState& state, std::vector<OpenContact>& contacts, std::size_t contact) {
-    return tips_at_rest_ ? tips_at_rest_->let_go(state, contacts, contact)
-                         : judge_ && judge_->let_go(state, contacts, contact);
+    if (!tips_at_rest_) return judge_ && judge_->let_go(state, contacts, contact);
+    tips_at_rest_->let_go(state, contacts[contact]);
+    return true;
   }
   /// The limit of slip reversals that accumulate: the tip comes to rest where friction can hold it. False,
   /// and nothing changed, where friction cannot hold it yet.

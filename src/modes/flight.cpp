@@ -163,8 +163,8 @@ void Flight::places(const trajectory::SampleTimes& times, int first, std::span<d
   for (int rows = 1; done < x.size(); ++rows) {
     row.start(times[number], at);
     const std::size_t count = std::min<std::size_t>(StateRow::kTimes, x.size() - done);
-    std::copy_n(row.x().data(), count, &x[done]);
-    if (!y.empty()) std::copy_n(row.y().data(), count, &y[done]);
+    std::copy_n(row.states()[0].data(), count, &x[done]);
+    if (!y.empty()) std::copy_n(row.states()[1].data(), count, &y[done]);
     done += count;
     number += static_cast<int>(count);
     at = rows % kRowsFromClosedForm == 0 ? shaft(times[number]) : row.state(StateRow::kTimes - 1);
@@ -205,7 +205,7 @@ double Flight::largest_displacement(double begin, double end, double known) cons
 double Flight::top_between(double from, double to, double rate_from, double rate_to) const {
   const auto rate = [&](double time) {
     const rotor::State at = shaft(time);
-    const Complex second = shaft_acceleration(time, at);
+    const Complex second = machine_->shaft.acceleration(machine_->constants, time, at, 0.0);
     return integrate::ValueAndSlope{
         distance_rate(at), at[2] * at[2] + at[3] * at[3] + at[0] * second.real() + at[1] * second.imag()};
   };

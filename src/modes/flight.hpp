@@ -52,12 +52,6 @@ class Flight {
 
   /// Whether double precision resolves free motion over this time.
   [[nodiscard]] bool resolves(double time) const;
-  /// z'' − r'' [m per unit τ²] of a state in flight.
-  [[nodiscard]] Complex acceleration(double time, const rotor::ShaftAndRing& bodies) const {
-    Complex result = shaft_acceleration(time, bodies.head<4>());
-    if (ring_ != nullptr) result -= ring_->acceleration(rotor::ring(bodies), 0.0);
-    return result;
-  }
 
   /// Bounds from a state of this flight over the time `horizon` that follows, which may be infinite.
   ///
@@ -98,12 +92,6 @@ class Flight {
     return {second, third, damping * third + second + forcing_rate_of_rate_};
   }
   [[nodiscard]] DerivativeBounds derivative_bounds_of_any(const FlightBound& bound) const;
-  [[nodiscard]] Complex shaft_acceleration(double time, const rotor::State& state) const {
-    if (supported_ != nullptr) return supported_->support.acceleration(time, state.matrix());
-    Complex result = -2.0 * free_.damping_ratio() * Complex(state[2], state[3]) - Complex(state[0], state[1]);
-    if (harmonics_ != nullptr) result += harmonics_->acceleration(time);
-    return result;
-  }
   template <class Size>
   [[nodiscard]] double isotropic_bound(double time, const rotor::State& state, double horizon,
                                        Size size) const;

@@ -8,36 +8,30 @@ FlightRow::FlightRow(const rotor::Machine& machine, double spacing)
     : misalignment_(machine.constants.misalignment),
       states_(machine, spacing),
       turn_(machine.blades, spacing) {
-  if (const rotor::RingBody* body = machine.ring_body()) ring_.emplace(*body, spacing);
+  if (const rotor::RingBody* body = machine.ring_body())
+    ring_ = Ring{FreeRow(body->free_motion(), body->frequency() * spacing), body->frequency(), {}};
 }
 
 void FlightRow::start(double time, const rotor::ShaftAndRing& bodies, double fourth_bound) {
   remainder_ = remainder(fourth_bound, spacing());
   turn_.start(time);
-  if (!ring_) {
-    start_ = rotor::shaft(bodies);
-    states_.start(time, start_);
-    see(states_.x(), states_.y(), states_.vx(), states_.vy());
-    return;
-  }
   start_ = rotor::from_ring(bodies);
   states_.start(time, rotor::shaft(bodies));
-  const rotor::RingBody::State from = rotor::ring(bodies);
-  ring_->free.move(from[0], from[2] / ring_->frequency, ring_->rx, ring_->rvx);
-  ring_->free.move(from[1], from[3] / ring_->frequency, ring_->ry, ring_->rvy);
-  ring_->rvx *= ring_->frequency;
-  ring_->rvy *= ring_->frequency;
-  ring_->x = states_.x() - ring_->rx;
-  ring_->vx = states_.vx() - ring_->rvx;
-  ring_->vy = states_.vy() - ring_->rvy;
-  see(ring_->x, states_.y() - ring_->ry, ring_->vx, ring_->vy);
-}
-
-/// `x`, `y`, `vx`, `vy`: of the shaft, from the ring.
-void FlightRow::see(const Values& x, const Values& y, const Values& vx, const Values& vy) {
-  y_ = y + misalignment_;
-  square_ = x * x + y_ * y_;
-  square_rate_ = 2.0 * (x * vx + y_ * vy);
+  seen_ = states_.states();
+  if (ring_) {
+    const rotor::RingBody::State from = rotor::ring(bodies);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto place = static_cast<Eigen::Index>(i);
+      ring_->free.move(from[place], from[place + 2] / ring_->frequency, ring_->states[i],
+                       ring_->states[i + 2]);
+      ring_->states[i + 2] *= ring_->frequency;
+    }
+    for (std::size_t i = 0; i < 4; ++i) seen_[i] -= ring_->states[i];
+  }
+  auto& [x, y, vx, vy] = seen_;
+  y += misalignment_;
+  square_ = x * x + y * y;
+  square_rate_ = 2.0 * (x * vx + y * vy);
 }
 
 double FlightRow::crossing(const Gaps& gaps, int interval) const {
@@ -55,7 +49,9 @@ double FlightRow::crossing(const Gaps& gaps, int interval) const {
 
 rotor::ShaftAndRing FlightRow::state(int i) const {
   rotor::ShaftAndRing bodies = rotor::shaft_and_ring(states_.state(i));
-  if (ring_) bodies.tail<4>() << ring_->rx[i], ring_->ry[i], ring_->rvx[i], ring_->rvy[i];
+  if (ring_) {
+    for (std::size_t k = 0; k < 4; ++k) bodies[static_cast<Eigen::Index>(4 + k)] = ring_->states[k][i];
+  }
   return bodies;
 }
 

@@ -47,12 +47,10 @@ class FlightRow {
     const Values cosine = er.cosine * turn_.cosine() - er.sine * turn_.sine();
     const Values sine = er.sine * turn_.cosine() + er.cosine * turn_.sine();
     const double reach = 2.0 * geometry.reach;
-    const Values& x = ring_ ? ring_->x : states_.x();
-    const Values& vx = ring_ ? ring_->vx : states_.vx();
-    const Values& vy = ring_ ? ring_->vy : states_.vy();
+    const auto& [x, y, vx, vy] = seen_;
     return {at_start.gap, contact::gap_rate(geometry, at_start, turn_.speed_at_start()),
-            square_ + (reach * (x * cosine + y_ * sine) + geometry.closing()),
-            square_rate_ + reach * ((vx * cosine + vy * sine) + turn_.speed() * (y_ * cosine - x * sine))};
+            square_ + (reach * (x * cosine + y * sine) + geometry.closing()),
+            square_rate_ + reach * ((vx * cosine + vy * sine) + turn_.speed() * (y * cosine - x * sine))};
   }
   [[nodiscard]] rotor::ShaftAndRing state(int i) const;
 
@@ -96,16 +94,11 @@ class FlightRow {
   }
 
  private:
-  /// A ring that is a body, and the shaft as seen from it: z − r and z' − r'.
+  /// A ring that is a body.
   struct Ring {
-    Ring(const rotor::RingBody& body, double spacing)
-        : free(body.free_motion(), body.frequency() * spacing), frequency(body.frequency()) {}
-
     FreeRow free;
-    double frequency;  ///< ν [-]
-    Values rx, ry;     ///< [m]
-    Values rvx, rvy;   ///< [m per unit τ]
-    Values x, vx, vy;  ///< seen from the ring
+    double frequency;          ///< ν [-]
+    StateRow::OfState states;  ///< [m], [m per unit τ]
   };
 
   static constexpr double kOfRate = 2.31;  ///< √3/216 over 1/288, which is in `remainder`
@@ -118,14 +111,12 @@ class FlightRow {
     return {gaps.gap[interval - 1], gaps.rate[interval - 1], gaps.gap[interval], gaps.rate[interval]};
   }
 
-  void see(const Values& x, const Values& y, const Values& vx, const Values& vy);
-
   double misalignment_;
   StateRow states_;
   std::optional<Ring> ring_;
   TurnRow turn_;
   rotor::State start_ = rotor::State::Zero();
-  Values y_;                     ///< of c; its x and c' are the shaft's, seen from the ring
+  StateRow::OfState seen_;       ///< c and c', of the shaft as seen from the ring
   Values square_, square_rate_;  ///< |c|² and its derivative
   double remainder_ = 0.0;
 };

@@ -105,7 +105,7 @@ std::unique_ptr<ArcLaw> LawOfAxialLoads::arcs(const rotor::Machine& machine, dou
   for (int k = 0; k < count; ++k) {
     if (!has_table(of(k).curve(), max_shortening)) return nullptr;
   }
-  return std::make_unique<collocation::AxialLaw>(blades(), count, max_shortening);
+  return std::make_unique<collocation::AxialLaw>(blades(), max_shortening);
 }
 
 bool LawOfAxialLoads::open(const TipPlace& at, OpenContact& contact) const {

@@ -23,12 +23,10 @@ struct ModeEnd {
 /// Also the piece of motion that is being recorded.
 class Phase : public trajectory::MotionPiece {
  public:
-  /// Starts at time τ of the revolution. False where the mode cannot start there, or outside of the model's
-  /// validity: contacts that have just changed may bend a blade too far at once.
-  virtual bool start(double time, const rotor::ShaftAndRing& state,
-                     const std::vector<OpenContact>& contacts) = 0;
-  /// Why it could not start.
-  [[nodiscard]] virtual ending::StatusDetail refusal() const = 0;
+  /// Starts at time τ of the revolution, or says why the mode cannot start there: contacts that have just
+  /// changed may bend a blade too far at once.
+  virtual ending::StatusDetail start(double time, const rotor::ShaftAndRing& state,
+                                     const std::vector<OpenContact>& contacts) = 0;
   /// Goes on until a guard ends the mode, time reaches `until` or the work of the revolution is spent; hands
   /// every piece of motion to the listener.
   virtual ModeEnd advance(double until, MotionListener& listener) = 0;

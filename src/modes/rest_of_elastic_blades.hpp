@@ -51,7 +51,7 @@ class RestOfElasticBlades : public RestJudge, public TipPlaces {
   /// found: it comes loose where that is positive. One that nothing can hold has come loose.
   [[nodiscard]] double looseness(const OpenContact& open, const std::optional<Rest>& there) const;
 
- protected:
+  /// The tip slips the way it is pulled; how fast, where its place is lost within the cone.
   double leave_rest(OpenContact& contact, const State& state) const;
 
  private:
@@ -63,17 +63,6 @@ class RestOfElasticBlades : public RestJudge, public TipPlaces {
   double forward(OpenContact& contact, double slip, const State& state) const;
   bool arrest(OpenContact& contact, const State& state) const;
   bool let_go(OpenContact& contact, const State& state) const;
-};
-
-/// The same where slip reversals have accumulated under Coulomb's law (MODEL 4.4).
-class RestAfterReversals final : public RestOfElasticBlades {
- public:
-  using RestOfElasticBlades::RestOfElasticBlades;
-
-  bool let_go(const State& state, std::vector<OpenContact>& contacts, std::size_t contact) override {
-    leave_rest(contacts[contact], state);
-    return true;
-  }
 };
 
 }  // namespace rubatlas::modes

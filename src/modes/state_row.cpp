@@ -54,33 +54,17 @@ StateRow::StateRow(const rotor::Machine& machine, double spacing)
 
 void StateRow::start(double time, const rotor::State& state) {
   if (supported_.empty()) {
-    isotropic_.move(state[0], state[2], x_, vx_);
-    isotropic_.move(state[1], state[3], y_, vy_);
+    isotropic_.move(state[0], state[2], states_[0], states_[2]);
+    isotropic_.move(state[1], state[3], states_[1], states_[3]);
   } else {
-    const auto sum = [&](std::size_t to, Values& values) {
-      values = (state[0] * supported_[0][to] + state[1] * supported_[1][to]) +
-               (state[2] * supported_[2][to] + state[3] * supported_[3][to]);
-    };
-    sum(0, x_);
-    sum(1, y_);
-    sum(2, vx_);
-    sum(3, vy_);
+    for (std::size_t to = 0; to < 4; ++to)
+      states_[to] = (state[0] * supported_[0][to] + state[1] * supported_[1][to]) +
+                    (state[2] * supported_[2][to] + state[3] * supported_[3][to]);
   }
   for (const Response& response : responses_) {
-    if (response.frequency == 0.0) {
-      x_ += response.along[0];
-      y_ += response.along[1];
-      vx_ += response.along[2];
-      vy_ += response.along[3];
-      continue;
-    }
     const std::complex<double> direction = std::polar(1.0, response.frequency * time);
-    const double along = direction.real();
-    const double across = direction.imag();
-    x_ += along * response.along[0] + across * response.across[0];
-    y_ += along * response.along[1] + across * response.across[1];
-    vx_ += along * response.along[2] + across * response.across[2];
-    vy_ += along * response.along[3] + across * response.across[3];
+    for (std::size_t to = 0; to < 4; ++to)
+      states_[to] += direction.real() * response.along[to] + direction.imag() * response.across[to];
   }
 }
 

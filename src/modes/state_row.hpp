@@ -53,15 +53,13 @@ class StateRow {
   /// spacings.
   void start(double time, const rotor::State& state);
 
-  [[nodiscard]] const Values& x() const { return x_; }    ///< [m]
-  [[nodiscard]] const Values& y() const { return y_; }    ///< [m]
-  [[nodiscard]] const Values& vx() const { return vx_; }  ///< [m per unit τ]
-  [[nodiscard]] const Values& vy() const { return vy_; }  ///< [m per unit τ]
-  [[nodiscard]] rotor::State state(int i) const { return {x_[i], y_[i], vx_[i], vy_[i]}; }
+  using OfState = std::array<Values, 4>;  ///< of x, y [m], x', y' [m per unit τ]
+  [[nodiscard]] const OfState& states() const { return states_; }
+  [[nodiscard]] rotor::State state(int i) const {
+    return {states_[0][i], states_[1][i], states_[2][i], states_[3][i]};
+  }
 
  private:
-  using OfState = std::array<Values, 4>;  ///< of x, y, x', y'
-
   /// What a forcing does to a shaft at rest.
   struct Response {
     double frequency;  ///< ν [per unit τ]
@@ -74,7 +72,7 @@ class StateRow {
   std::vector<OfState>
       supported_;  ///< of another support: four, what the state follows from each of its parts
   std::vector<Response> responses_;
-  Values x_, y_, vx_, vy_;
+  OfState states_;
 };
 
 }  // namespace rubatlas::modes

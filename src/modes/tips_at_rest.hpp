@@ -31,12 +31,10 @@ class TipsAtRest {
     contact = there;
     return true;
   }
-  bool let_go(const rotor::ContactState& state, std::vector<OpenContact>& contacts, std::size_t contact) {
-    std::vector<OpenContact> there = at_rest(contacts);
-    judge_.let_go(state, there, contact);
-    OpenContact& loose = contacts[contact];
-    loose = {loose.blade, there[contact].slip, loose.bending, loose.bend};
-    return true;
+  void let_go(const rotor::ContactState& state, OpenContact& loose) const {
+    OpenContact there = in_own_unknowns(loose);
+    judge_.leave_rest(there, state);
+    loose = {loose.blade, there.slip, loose.bending, loose.bend};
   }
   [[nodiscard]] std::vector<OpenContact> at_rest(const std::vector<OpenContact>& contacts) const {
     std::vector<OpenContact> there = contacts;
@@ -52,7 +50,7 @@ class TipsAtRest {
 
   LawOfInclinedLoads law_;
   ContactSetup setup_;
-  RestAfterReversals judge_;
+  RestOfElasticBlades judge_;
   bool slips_in_u_;
 };
 

@@ -11,6 +11,7 @@
 #include "modes/tip_of.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
+#include "rotor/skimming.hpp"
 
 namespace rubatlas::modes {
 namespace {
@@ -104,10 +105,6 @@ std::optional<double> TouchdownSearch::shaft_at_ring(const Flight& flight, doubl
     bodies = flight.state(time);
   }
   return std::nullopt;
-}
-
-bool TouchdownSearch::never_touches(const Flight& flight, const rotor::ShaftAndRing& bodies) const {
-  return stays_clear(flight, flight.start_time(), bodies, std::numeric_limits<double>::infinity());
 }
 
 bool TouchdownSearch::stays_clear(const Flight& flight, double time, const rotor::ShaftAndRing& bodies,
@@ -306,10 +303,8 @@ double TouchdownSearch::clear_step(const Flight& flight, const contact::Geometry
   if (at.gap >= 0.0 && slope > 0.0) return 0.0;
   const double value = std::min(at.gap, 0.0);
 
-  double curvature =
-      contact::gap_curvature(geometry, er, at, {seen[0], seen[1] + machine_->constants.misalignment},
-                             {seen[2], seen[3]}, flight.acceleration(time, bodies), turning);
-  if (blades.ripples()) curvature += 2.0 * reach * blades.angular_acceleration(time) * at.tangential;
+  const double curvature =
+      rotor::free_gap_curvature(*machine_, geometry, er, at, rotor::full_state(bodies, time, 0.0), 0.0);
   // Where free motion grows, a bound over all the remaining time would be as large as that of its end.
   const double remaining = until - time;
   const double renewed = flight.time_of_bound();

@@ -44,9 +44,6 @@ class TouchdownSearch {
   /// revolution.
   std::optional<double> shaft_at_ring(const Flight& flight, double until, WorkMeter& meter) const;
 
-  /// The shaft stays within the clearance circle for ever, so that no blade can touch.
-  [[nodiscard]] bool never_touches(const Flight& flight, const rotor::ShaftAndRing& bodies) const;
-
   /// A tip at a time of the flight.
   [[nodiscard]] trajectory::Tip tip(const Flight& flight, int blade, double time) const;
 

@@ -7,6 +7,7 @@
 #include "integrate/first_crossing.hpp"
 #include "integrate/newton_between.hpp"
 #include "modes/touchdown_search.hpp"
+#include "rotor/skimming.hpp"
 
 namespace rubatlas::modes {
 namespace {
@@ -146,15 +147,11 @@ std::optional<trajectory::Pass> TouchdownSearch::pass_between(const Flight& flig
   const rotor::RipplingBlades& blades = machine_->blades;
   const auto rate = [&](double time) {
     const rotor::ShaftAndRing bodies = flight.state(time);
-    const rotor::State at = rotor::from_ring(bodies);
     const contact::BladeDirection er = blades.direction(blade, blades.first(time));
-    const contact::Pose there = rotor::pose_of(machine_->constants, geometry(blade), er, at);
-    const double turning = blades.angular_speed(time);
-    double curvature =
-        contact::gap_curvature(geometry(blade), er, there, {at[0], at[1] + machine_->constants.misalignment},
-                               {at[2], at[3]}, flight.acceleration(time, bodies), turning);
-    curvature += 2.0 * geometry(blade).reach * blades.angular_acceleration(time) * there.tangential;
-    return integrate::ValueAndSlope{contact::gap_rate(geometry(blade), there, turning), curvature};
+    const contact::Pose there = pose(blade, time, bodies);
+    return integrate::ValueAndSlope{contact::gap_rate(geometry(blade), there, blades.angular_speed(time)),
+                                    rotor::free_gap_curvature(*machine_, geometry(blade), er, there,
+                                                              rotor::full_state(bodies, time, 0.0), 0.0)};
   };
   if (end < between.to) {
     if (!(rate(end).value < 0.0)) return std::nullopt;

@@ -58,7 +58,6 @@ ending::PointStatus Motion::start(const rotor::ShaftAndRing& state, double time,
   if (!flight_.resolves(machine_.constants.period())) return ends(ending::StatusDetail::beyond_precision);
   if (!modes_.settle(unbent(), contacts_, [](const modes::OpenContact&) {}))
     return ends(ending::StatusDetail::slip_undecided);
-  begin_flight();
   return ends(state_.isFinite().all() ? ending::StatusDetail::none : ending::StatusDetail::beyond_precision);
 }
 
@@ -75,7 +74,6 @@ ending::PointStatus Motion::take_over(PointMotion& before) {
         before_change == held.end() ? at.pose.gap <= 0.0 || open(k, at) : keep(*before_change, at);
     if (!found) return ends(ending::StatusDetail::no_equilibrium);
   }
-  begin_flight();
   return ending::PointStatus::done;
 }
 
@@ -94,7 +92,9 @@ ending::PointStatus Motion::revolution(modes::MotionListener& listener, const mo
   const double period = machine_.constants.period();
   meter_.begin_revolution(go_on);
   while (meter_.spend(modes::Work::events, price_of_last_event())) {
-    if (undecided_ && !begin_mode()) return ends(refusal_);
+    if (undecided_) {
+      if (const auto why = begin_mode(); why != ending::StatusDetail::none) return ends(why);
+    }
     const modes::ModeEnd end = phase_ == nullptr ? fly(period, listener) : touch(period, listener);
     if (end.guard == modes::Guard::horizon) return finish_revolution(period);
     if (end.guard == modes::Guard::failed || end.guard == modes::Guard::left_validity) return ends(end.why);
@@ -151,20 +151,11 @@ std::int64_t Motion::price_of_last_event() {
 
 // Modes.
 
-/// Finds out whether blades can ever touch.
-void Motion::begin_flight() {
-  flight_.start(time_, state_);
-  never_touches_ = contacts_.empty() && search_.never_touches(flight_, state_);
-}
-
 modes::ModeEnd Motion::fly(double period, modes::MotionListener& listener) {
   using modes::Guard;
   flight_.start(time_, state_);
-  std::optional<modes::TouchdownSearch::Touchdown> touchdown;
-  if (!never_touches_) {
-    touchdown = search_.find(flight_, period, meter_);
-    if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
-  }
+  const auto touchdown = search_.find(flight_, period, meter_);
+  if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
   const double end = touchdown ? touchdown->time : period;
   if (search_.shaft_at_ring(flight_, end, meter_))
     return {Guard::left_validity, -1, ending::StatusDetail::shaft_at_ring};
@@ -222,11 +213,11 @@ ending::PointStatus Motion::finish_revolution(double period) {
   return ends(state_.isFinite().all() ? ending::StatusDetail::none : ending::StatusDetail::beyond_precision);
 }
 
-/// From the contacts to the mode for them. False where no mode can begin; `refusal_` says why.
-bool Motion::begin_mode() {
+/// From the contacts to the mode for them, or why none can begin.
+ending::StatusDetail Motion::begin_mode() {
   undecided_ = false;
   phase_ = nullptr;
-  if (contacts_.empty()) return true;
+  if (contacts_.empty()) return ending::StatusDetail::none;
   const bool rests = any_rests();
   if (!rests && begins_to_skim()) contacts_.front().skims = true;
   under_law_of_rest_ = rests && modes_.has_law_of_rest();
@@ -234,9 +225,7 @@ bool Motion::begin_mode() {
   if (under_law_of_rest_) resting = modes_.at_rest(contacts_);
   const std::vector<modes::OpenContact>& contacts = under_law_of_rest_ ? resting : contacts_;
   phase_ = &(under_law_of_rest_ ? modes_.resting() : modes_.phases()).of(contacts);
-  const bool started = phase_->start(time_, state_, contacts);
-  refusal_ = phase_->refusal();
-  return started;
+  return phase_->start(time_, state_, contacts);
 }
 
 /// Whether the blade that has just touched down begins to skim. If so, it is the first of the contacts.

@@ -53,11 +53,10 @@ class Motion final : public PointMotion {
   [[nodiscard]] std::vector<modes::OpenContact> contacts_now();
 
   // Modes.
-  void begin_flight();
   modes::ModeEnd fly(double period, modes::MotionListener& listener);
   modes::ModeEnd touch(double period, modes::MotionListener& listener);
   ending::PointStatus finish_revolution(double period);
-  bool begin_mode();
+  ending::StatusDetail begin_mode();
   [[nodiscard]] bool any_rests() const {
     return std::ranges::count(contacts_, 0.0, &modes::OpenContact::slip) > 0;
   }
@@ -92,13 +91,11 @@ class Motion final : public PointMotion {
   rotor::ShaftAndRing state_ = rotor::ShaftAndRing::Zero();
   double time_ = 0.0;
   ending::StatusDetail detail_ = ending::StatusDetail::none;
-  ending::StatusDetail refusal_ = ending::StatusDetail::none;  ///< why the last mode could not begin
   WorkCounts work_;
   modes::Phase* phase_ = nullptr;                  ///< of the present mode in contact; null in flight
   bool under_law_of_rest_ = false;                 ///< that phase is
   bool undecided_ = true;                          ///< the mode is to be chosen
   modes::Guard ended_by_ = modes::Guard::horizon;  ///< what ended the last mode; horizon: there is none
-  bool never_touches_ = false;                     ///< proven at the start of the point: no blade can touch
 };
 
 }  // namespace rubatlas::motion

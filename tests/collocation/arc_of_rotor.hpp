@@ -19,7 +19,7 @@ struct ArcOfRotor {
                            rotor::Harmonics(unbalance != nullptr ? std::vector{*unbalance}
                                                                  : std::vector<rotor::Harmonic>{}))),
         laws(std::vector(static_cast<std::size_t>(blade_count), law)),
-        law_of_arc(laws, blade_count, kMaxShortening),
+        law_of_arc(laws, kMaxShortening),
         arc(machine, law_of_arc, tolerance) {}
   ArcOfRotor(const ArcOfRotor&) = delete;
   ArcOfRotor& operator=(const ArcOfRotor&) = delete;

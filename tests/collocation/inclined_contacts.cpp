@@ -239,8 +239,8 @@ TEST(InclinedContacts, HaveTheSameBitsOnEveryProcessor) {
   Bounds bounds_in_pairs{};
   bounds_in_pairs.further.resize(1);
   Bounds bounds_here = bounds_in_pairs;
-  solver_in_pairs().inclined_bounds(contact, in_pairs, bounds_in_pairs);
-  interval_solver().inclined_bounds(contact, here, bounds_here);
+  solver_in_pairs().bounds(contact, in_pairs, bounds_in_pairs);
+  interval_solver().bounds(contact, here, bounds_here);
   EXPECT_EQ(bounds_in_pairs, bounds_here);
 }
 

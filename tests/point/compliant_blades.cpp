@@ -55,7 +55,7 @@ Ended follow(modes::Phase& phase, modes::WorkMeter& meter, const modes::Phase::E
              const modes::OpenContact& contact) {
   const modes::GoOn always;
   meter.begin_revolution(always);
-  EXPECT_TRUE(phase.start(from.time, from.state, {contact}));
+  EXPECT_EQ(phase.start(from.time, from.state, {contact}), ending::StatusDetail::none);
   modes::MotionListener nobody;
   const modes::ModeEnd end = phase.advance(1e3, nobody);
   return {end, phase.where_it_ended()};
