@@ -45,8 +45,8 @@ void EarlierInterval::take(const Contact& contact, const Interval& solved, doubl
   blade = solved.blade;
   deviation = solved.deviation;
   elapsed = solved.elapsed;
-  shaft = solved.shaft;
-  if (contact.machine->ring.moves) ring = solved.ring;
+  shaft = static_cast<const Places&>(solved.shaft);
+  if (contact.machine->ring.moves) ring = static_cast<const Places&>(solved.ring);
   if (!contact.leans) return;
   start_lean = solved.start_lean;
   lean = solved.lean;
