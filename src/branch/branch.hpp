@@ -25,8 +25,8 @@ struct Orbit {
   bool admissible = true;          ///< every tip that touches does so where the orbit says
   Eigen::Vector4cd multipliers;    ///< Floquet, the largest first
   int cuts = 1;  ///< in a period, after each of which the motion repeats itself with other blades
-  /// A small difference δ of the scaled unknowns at a cut has become δ' at the next, forward δ = backward δ'. Both
-  /// are finite at a grazing, where a multiplier is not.
+  /// A small difference δ of the scaled unknowns at a cut has become δ' at the next, forward δ = backward δ'.
+  /// Both are finite at a grazing, where a multiplier is not.
   Eigen::Matrix4d forward;
   Eigen::Matrix4d backward = Eigen::Matrix4d::Identity();
 

@@ -37,7 +37,7 @@ CALLS = {
     "spectrum": ("atlas.h5", "--speed_ratio", "0.6"), "orbit": ("orbit.h5",), "blade": ("atlas.h5",),
     "safe_speeds": ("atlas.h5", "--keep", "max_displacement<=0.008", "--keep", "max_contact_force<=200"),
     "basins": ("basins.h5", "--maps", "basins_maps.h5"), "branch": ("branch.h5",),
-    "effect": ("gravity.h5", "--without", "atlas.h5", "--damping_ratio", "0.05"), "grazing": ("atlas.h5",),
+    "effect": ("gravity.h5", "--without", "atlas.h5", "--damping_ratio", "0.05"), "grazing": (str(PROGRAM),),
     "stack": ("atlas.h5", "--maps", "maps.h5"), "accuracy": ("accuracy.h5",)}
 
 
