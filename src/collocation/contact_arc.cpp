@@ -199,6 +199,7 @@ ContactArc::Outcome ContactArc::make() {
     return Outcome::made;
   }
   predictor_.begin_interval();
+  seeks_fold_ = false;
   bool learns = true;
   bool is_anew = false;
   bool is_shortest = false;
@@ -269,6 +270,13 @@ ContactArc::Outcome ContactArc::make() {
       ending.guard = guard_of_tip(ending.guard);
       end_at_once(ending);
       return Outcome::made;
+    }
+    // A law with one branch leaves no equilibrium beyond its fold. Only where nothing else goes on it is
+    // looked for: elsewhere a slope of time below zero is mostly an error between the nodes.
+    if (!seeks_fold_) {
+      seeks_fold_ = true;
+      predictor_.begin_again();
+      continue;
     }
     // Many blades on a light shaft, or one beside a stiff fold, move it in very short times.
     if (is_shortest) return Outcome::gives_up;

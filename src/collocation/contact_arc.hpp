@@ -297,8 +297,9 @@ class ContactArc {
   int blade_ = 0;
   bool begins_ = false;  ///< the next interval is the first of the contact
   Ending ending_;
-  bool jumps_ = false;    ///< the error of trials does not fall with their length
-  int lead_changes_ = 0;  ///< since the last interval
+  bool jumps_ = false;       ///< the error of trials does not fall with their length
+  bool seeks_fold_ = false;  ///< nothing else has let the arc go on
+  int lead_changes_ = 0;     ///< since the last interval
   Point start_, end_;
   contact::BladeDirection er_{};         ///< of the blade at the end
   std::array<Interval, 2> intervals_{};  ///< the last that was made, and the next

@@ -47,9 +47,8 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
   look(Guard::unbent, blade_, interval.start_argument, interval.argument, 1.0, count);
   // Without other branches time stands still at the unbent blade, too, to rounding. On a ring with dampers it
   // all but does where a blade has just bent.
-  const bool turns_back = interval.chord.time != 0.0 && !(interval.time_slope.at_end() > 0.0);
   const bool ends_only_branch =
-      turns_back && law_->ends_at_ring() && !law_->is_rigid() && !is_next_to_unbent(interval);
+      seeks_fold_ && law_->ends_at_ring() && !law_->is_rigid() && !is_next_to_unbent(interval);
   const bool may_fold =
       !is_straight(blade_) && (releases_at_fold || law_->has_branches(blade_) || ends_only_branch);
   if (may_fold)

@@ -85,7 +85,7 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   if (in_part) {
     // It has been snapped to, or has set in, at the fold of its branch.
     constexpr double kAtStart = 1e-11;  // θ
-    if (begins_ && ending.guard == Guard::fold && ending.fraction < kAtStart) {
+    if (begins_ && seeks_fold_ && ending.guard == Guard::fold && ending.fraction < kAtStart) {
       ending.guard = guard_of_tip(ending.guard);
       return Verdict::at_once;
     }

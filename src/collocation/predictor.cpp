@@ -180,6 +180,10 @@ void Predictor::begin_interval() {
   shortest_ = kShortest * length_;
 }
 
+void Predictor::begin_again() {
+  length_ = shortest_ / kShortest;
+}
+
 void Predictor::allow_shorter() {
   shortest_ *= kStillShorter;
 }

@@ -50,6 +50,8 @@ class Predictor {
   [[nodiscard]] double duration() const { return duration_; }
 
   void begin_interval();
+  /// The next trial is as long as the first one of this interval.
+  void begin_again();
   /// The interval may be much shorter than usual.
   void allow_shorter();
   /// The first guess of the next interval, whose start is known.

@@ -22,13 +22,10 @@ using collocation::ArcLaw;
 
 namespace {
 
-/// Whether a blade's table covers all bends that are valid, and an arc resolves how its load sets in: with
-/// next to no friction it all but jumps at the touch-down.
+/// Whether a blade's table covers all bends that are valid.
 bool has_table(const blade::ElasticaCurve& curve, double max_shortening) {
-  constexpr double kLeastFriction = 1e-6;
   const auto& knots = curve.over_asinh().knots();
-  const bool jumps = curve.friction() > 0.0 && curve.friction() < kLeastFriction;
-  return !jumps && !knots.empty() && knots.back().shortening > max_shortening;
+  return !knots.empty() && knots.back().shortening > max_shortening;
 }
 bool takes(const std::optional<double>& root, OpenContact& contact) {
   if (root) contact.bending = *root;

@@ -154,7 +154,7 @@ TEST(HardContacts, OfSeveralBladesThatHardlyBendMoveAsInSteps) {
         {"width", 2.2753253038532318e-11},
         {"youngs_modulus", 7.188840437473722}}},
       {"ring", {{"radius", 2.1885946842923323}}},
-      {"contact", {{"friction", 4.385437650827236e-06}}},
+      {"contact", {{"friction", 4.385437650827236e-08}}},
       {"yielding_ring", nlohmann::json::object()},
       {"speed_ramp", {{"rate", 0.024729000826420183}}},
       {"initial", {{"vx", 4.085296382469858e-09}, {"vy", 2.075223002143767e-10}}},

@@ -47,9 +47,5 @@ TEST(EndOfValidity, IsNotWhereABladeBesideAnotherIsHeldBeyondTheRing) {
                       StatusDetail::none);
 }
 
-TEST(EndOfValidity, IsNotWhereFrictionIsTooSmallForATable) {
-  expect_the_same_end(R"("contact": {"friction": 1e-9}, "axial_compliance": {})", 0.3, StatusDetail::none);
-}
-
 }  // namespace
 }  // namespace rubatlas::test
