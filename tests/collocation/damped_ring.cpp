@@ -70,6 +70,12 @@ double error_on_dampers(const trajectory::State& state, const trajectory::State&
   return largest / (kToleranceOnDampers * kClearanceOfSeveral);
 }
 
+/// A blade under a load that jumps has no equilibrium, or is shortened too much, as last digits have it.
+ending::StatusDetail end_of_model(ending::StatusDetail detail) {
+  using enum ending::StatusDetail;
+  return detail == shortening_limit ? no_equilibrium : detail;
+}
+
 void expect_errors_within_tolerance_on_dampers(std::size_t wanted) {
   std::mt19937_64 generator(kSeedOnDampers);
   std::vector<double> by_collocation;
@@ -82,9 +88,8 @@ void expect_errors_within_tolerance_on_dampers(std::size_t wanted) {
     const auto [steps, steps_detail] = revolution(m, kToleranceOnDampers, false, others);
     const auto [collocated, collocated_detail] = revolution(m, kToleranceOnDampers, true, time);
     // Steps alone may run out of work, where the ring follows a load in far less time than the shaft does.
-    // Where the model ends, last digits choose between no equilibrium and too much shortening.
     if (exact_detail != ending::StatusDetail::contact_work) {
-      EXPECT_EQ(ending::status_of(exact_detail), ending::status_of(collocated_detail));
+      EXPECT_EQ(end_of_model(exact_detail), end_of_model(collocated_detail));
     }
     if (!exact || !steps || !collocated || *steps == *collocated) continue;  // it has not touched
     by_collocation.push_back(error_on_dampers(*collocated, *exact));
