@@ -31,7 +31,7 @@ namespace {
 
 /// Newton's method closes orbits to 1e-12 of the clearance: their motions have to be as accurate.
 constexpr double kTightest = 1e-12;
-/// Of a quantity: what arclengths are counted in.
+/// Of the size of a quantity, or of how far it may go where that is more: what arclengths are counted in.
 constexpr double kShare = 0.1;
 
 /// The place of an axis that `option` names.
@@ -53,8 +53,9 @@ std::size_t axis_of(const std::vector<settings::Axis>& axes, const std::string& 
 branch::Varied varied(const settings::Axis& axis, std::size_t place, double value,
                       const std::vector<double>& within) {
   const settings::Range& range = axis.quantity->range;
-  const double largest = within.empty() ? std::min(1e-3 * range.high, 1.0) : std::abs(within.back());
-  const double size = value != 0.0 ? std::abs(value) : largest;
+  double size = std::abs(value);
+  for (const double limit : within) size = std::max(size, std::abs(limit - value));
+  if (size == 0.0) size = std::min(1e-3 * range.high, 1.0);
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   branch::Varied result{place, kShare * size,
                         range.low_excluded ? std::nextafter(range.low, kInfinite) : range.low,
@@ -175,17 +176,13 @@ int follow_branch(const BranchCommand& command) {
   if (command.to) {
     const double to = limit_of(axes[along], *command.to, "--to");
     if (to == value) throw UsageError(fmt::format("--to {}: that is where the branch starts", to));
-    if (!command.both) within = {std::min(value, to), std::max(value, to)};
+    const double other = command.both ? 2.0 * value - to : value;
+    within = {std::min(other, to), std::max(other, to)};
   } else if (axes[along].values.size() > 1) {
     const auto [low, high] = std::ranges::minmax(axes[along].values);
     within = {std::min(value, low), std::max(value, high)};
   }
-  branch::Varied first = varied(axes[along], along, value, within);
-  if (command.to && command.both) {
-    const double distance = std::abs(*command.to - value);
-    first.lowest = std::max(first.lowest, value - distance);
-    first.highest = std::min(first.highest, value + distance);
-  }
+  const branch::Varied first = varied(axes[along], along, value, within);
   const std::optional<CurveRequest> curve = curve_request(command, axes, parameters);
   scene.accuracy.tolerance = std::min(scene.accuracy.tolerance, kTightest);
   scene.observables.clear();

@@ -68,6 +68,17 @@ class Branch(JobTest):
         self.assertEqual((self.directory / "branch.h5").read_bytes(), first)
         self.assertTrue(((0.1 - 1e-12 <= self.rows()["parameter"]) & (self.rows()["parameter"] <= 0.12 + 1e-12)).all())
 
+    def test_a_branch_that_begins_next_to_zero_takes_steps_as_long_as_from_zero(self):
+        counts = []
+        for unbalance in "0", "1e-6":
+            start = f"speed_ratio=0.62,unbalance={unbalance}"
+            self.branch("--from", start, "--along", "unbalance", "--to", "1e-5",
+                        changes={"grid": {"speed_ratio": 0.62, "unbalance": [0, 1e-6]}})
+            found = self.rows()["parameter"]
+            self.assertAlmostEqual(found[-1], 1e-5, delta=1e-15)
+            counts.append(len(found))
+        self.assertLess(counts[1], 1.5 * counts[0])
+
     def test_a_branch_that_the_number_of_points_ends_says_where_it_stopped(self):
         options = ("--from", "speed_ratio=0.42", "--along", "speed_ratio", "--to", "0.43")
         said = self.branch(*options, "--points", "5")
