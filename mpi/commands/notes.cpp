@@ -169,6 +169,21 @@ std::optional<double> start_beyond_ring(const settings::Scene& scene) {
   return beyond > 0.0 ? std::optional(beyond) : std::nullopt;
 }
 
+/// Axes of what only bends blades, under a law whose blades are rigid.
+void note_idle_axes(const settings::Scene& scene, std::vector<std::string>& notes) {
+  if (scene.contact.law != settings::ContactLaw::elastic_ring) return;
+  for (const settings::Axis& axis : settings::axes_of(scene)) {
+    const std::string_view pointer = axis.quantity->pointer;
+    const bool is_idle = pointer == "/blades/width" || pointer == "/blades/thickness" ||
+                         pointer == "/blades/youngs_modulus" || pointer == "/validity/yield_strain";
+    if (is_idle && axis.values.size() > 1)
+      notes.push_back(fmt::format(
+          "{} has no effect under the contact law \"elastic_ring\", whose blades are rigid: points that "
+          "differ in it alone are the same motion",
+          axis.name));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> doubts_about(const settings::Scene& scene) {
@@ -214,6 +229,7 @@ std::string likely_reason_to_leave(const settings::Scene& scene) {
 std::vector<std::string> notes_on(const settings::Scene& scene, const CostEstimate& cost) {
   std::vector<std::string> result = doubts_about(scene);
   note_contacts(scene, cost, result);
+  note_idle_axes(scene, result);
   if (cost.left_validity > 0) {
     result.push_back(
         fmt::format("{} of the {} points tried left the model: their rows will be NaN, with status 2",

@@ -252,16 +252,30 @@ TEST(Explain, NotesAMisalignmentOrAStartBeyondTheClearance) {
       holds(with(R"(, "rotor": {"misalignment": 0.005}, "initial": {"y": 0.004})"), "`initial` puts"));
 }
 
-/// What is noted of contacts, all points being tried.
-std::string contacts_noted(const std::string& sections) {
+/// The notes in which some words occur, all points being tried.
+std::string noted(const std::string& words, const std::string& sections) {
   const auto scene = settings::parse_scene(
       R"({"protocol": {"transient_revolutions": 8, "sampled_revolutions": 4}, "sweep": "independent", )" +
       sections + "}");
   std::string text;
   for (const auto& note : notes_on(scene, estimate_cost(scene, 1.0, [] { return 0.0; }))) {
-    if (holds(note, "the ring")) text += note + "\n";
+    if (holds(note, words)) text += note + "\n";
   }
   return text;
+}
+std::string contacts_noted(const std::string& sections) {
+  return noted("the ring", sections);
+}
+
+TEST(Explain, NotesAnAxisOfWhatRigidBladesDoNotHave) {
+  const std::string over_thickness = R"("grid": {"speed_ratio": 0.5, "thickness": [0.001, 0.002]})";
+  const auto idle = [](const std::string& sections) { return noted("rigid", sections); };
+  EXPECT_EQ(
+      idle(R"("contact": {"law": "elastic_ring"}, )" + over_thickness),
+      "thickness has no effect under the contact law \"elastic_ring\", whose blades are rigid: points that "
+      "differ in it alone are the same motion\n");
+  EXPECT_EQ(idle(R"("contact": {"law": "elastic_ring"}, "grid": {"speed_ratio": [0.4, 0.5]})"), "");
+  EXPECT_EQ(idle(over_thickness), "") << "elastic blades";
 }
 
 TEST(Explain, SaysOfWhichPointsNoneHasTouchedTheRing) {
