@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -36,9 +37,13 @@ class Harmonic {
  public:
   using Complex = std::complex<double>;
 
-  /// `amplitude` a [m per unit τ²], `phase` γ [rad], `frequency` ν [per unit τ].
+  /// `amplitude` a [m per unit τ²], `phase` γ [rad], `frequency` ν [per unit τ]. Differences by an unbalance
+  /// that is zero ask for a below zero: |a|, half a turn ahead.
   Harmonic(double amplitude, double phase, double frequency, double damping_ratio)
-      : amplitude_(amplitude), phase_(phase), frequency_(frequency), at_zero_(std::polar(amplitude, phase)) {
+      : amplitude_(std::abs(amplitude)),
+        phase_(amplitude < 0.0 ? phase + std::numbers::pi : phase),
+        frequency_(frequency),
+        at_zero_(std::polar(amplitude_, phase_)) {
     const Complex dynamic_stiffness(1.0 - frequency * frequency, 2.0 * damping_ratio * frequency);
     if (std::norm(dynamic_stiffness) > kNearResonance * kNearResonance)
       steady_at_zero_ = at_zero_ / dynamic_stiffness;

@@ -70,7 +70,7 @@ class Branch(JobTest):
 
     def test_a_branch_that_begins_next_to_zero_takes_steps_of_how_far_it_goes(self):
         counts = []
-        for unbalance in "1e-7", "1e-6":
+        for unbalance in "0", "1e-6":
             start = f"speed_ratio=0.62,unbalance={unbalance}"
             self.branch("--from", start, "--along", "unbalance", "--to", "1e-5",
                         changes={"grid": {"speed_ratio": 0.62, "unbalance": [0, 1e-6]}})
