@@ -128,9 +128,14 @@ class ArcSweeps {
   /// sweeps have slopes of their own.
   template <class Sweeps>
   bool converge(Sweeps& sweeps, int most, int full) {
+    // What hardly falls is rounding.
+    constexpr double kHardlyFalls = 0.5;
+    const double closest_step =
+        closeness_.step * std::max(std::abs(interval_.chord.argument), interval_.chord.time);
     double before = kFirstChange;
     bool light = false;
     double ratio_before = kSlowest;
+    double step_before = kFirstChange;
     for (interval_.sweeps = 1; interval_.sweeps <= most; ++interval_.sweeps) {
       const double change = light ? sweeps.template sweep<true>() : sweeps.template sweep<false>();
       if (!(change < kFirstChange)) return false;
@@ -138,13 +143,15 @@ class ArcSweeps {
       // little of what falls slowest.
       const double ratio = interval_.sweeps > 1 ? std::min(change / before, kSlowest) : kSlowest;
       const double rest = change * std::max(ratio, interval_.sweeps > 2 ? ratio_before : kOfSecond);
-      if (rest <= closeness_.velocity && largest_step_ < sweeps.largest_step_allowed()) {
+      if (rest <= closeness_.velocity && largest_step_ < sweeps.largest_step_allowed() &&
+          (largest_step_ <= closest_step || largest_step_ > kHardlyFalls * step_before)) {
         sweeps.store();
         return true;
       }
       light = interval_.sweeps >= full && change < kConverging * before;
       before = change;
       ratio_before = ratio;
+      step_before = largest_step_;
     }
     return false;
   }

@@ -61,8 +61,15 @@ bool ContactArc::solve(Interval& interval, bool warm, double closest) {
   const auto& [x, y, vx, vy] = interval.shaft.start;
   const double rounding = std::numeric_limits<double>::epsilon() *
                           std::max(machine().ring_radius, 4.0 * std::sqrt(vx * vx + vy * vy));
-  const double velocity = std::min(std::max(kClosest * tolerance_, rounding), closest);
-  const bool solved = law_->solve(contact_, {velocity, warm}, interval);
+  const double velocity = std::max(std::min(kClosest * tolerance_, closest), rounding);
+  // The load of a tip at rest follows its place so steeply that the next interval would begin with a jump.
+  constexpr double kStepAtRest = 1e-5;
+  constexpr double kStepToGuard = 1e-6;
+  const auto rests = [](const auto& tip) { return tip.slip == 0.0; };
+  double step = std::numeric_limits<double>::infinity();
+  if (contact_.leans && (rests(contact_) || std::ranges::any_of(further_, rests))) step = kStepAtRest;
+  if (std::isfinite(closest)) step = kStepToGuard;
+  const bool solved = law_->solve(contact_, {velocity, warm, step}, interval);
   sweeps_ += static_cast<std::uint64_t>(interval.sweeps);
   return solved;
 }
@@ -82,7 +89,12 @@ double ContactArc::error_of(const Interval& interval) const {
   const double between = std::max(seventh, kShareOfSixth * sixth * fall) * fall * kLargestIntegral;
   // Quadrature leaves out the fifteenth coefficient at the end: much less, unless coefficients hardly fall.
   const double fall_by_four = (fall * fall) * (fall * fall);
-  const double at_end = last * fall_by_four * fall_by_four * kLargestIntegral;
+  double left_out = last * fall_by_four * fall_by_four;
+  // Under friction with a velocity those of the force fall as slowly as those of the time, and the last ones
+  // of both meet in their product.
+  if (!law_->has_slip_state() && last > 0.0)
+    left_out = std::max(left_out, last * last * fall / std::max(interval.coefficients[0], last));
+  const double at_end = left_out * kLargestIntegral;
   double error = std::max(between / allowed_, at_end / (kAtEnd * tolerance_));
   if (!interval.further.empty()) error *= kCareWithSeveral;
   const double length = interval.elapsed.at_end() / machine_.longest_interval();

@@ -189,7 +189,7 @@ class ContactArc {
   [[nodiscard]] double nearer_to_top(int blade, const Point& there, const AtPlaces& values,
                                      double fraction) const;
   void start_next(Interval& next) const;
-  /// `closest`: what sweeps may leave, if less than usual [m per unit τ].
+  /// `closest`: what sweeps may leave, if less than usual, where a guard is located [m per unit τ].
   bool solve(Interval& interval, bool warm, double closest = std::numeric_limits<double>::infinity());
   [[nodiscard]] Bounds bounds_of(const Interval& interval) const;
   [[nodiscard]] double error_of(const Interval& interval) const;

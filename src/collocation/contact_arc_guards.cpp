@@ -177,14 +177,15 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
   const bool once = ending.guard == Guard::fold || (ending.guard == Guard::unbent && further_.empty());
   // Whether a tip comes to rest, and which way one slips that comes loose, depends on v to rounding, the more
   // so where friction hardly moves the tip.
-  constexpr double kToRounding = 1e-3;  // of what v may be, and of the fraction
+  constexpr double kToRounding = 0.05;  // of what v may be
+  constexpr double kCloser = 1e-3;      // than other guards, in θ
   const Guard guard = guard_of_tip(ending.guard);
   const bool loosens = guard == Guard::loosening;
   const bool may_rest = contact_.leans && (loosens || guard == Guard::slip_reversal);
   const double rounding = loosens ? std::numeric_limits<double>::epsilon() * machine().ring_radius
                                   : kToRounding * slip_rounding();
   const double closest = may_rest ? rounding : std::numeric_limits<double>::infinity();
-  const double closest_fraction = may_rest ? kToRounding * kClosestFraction : kClosestFraction;
+  const double closest_fraction = may_rest ? kCloser * kClosestFraction : kClosestFraction;
   double left_before = std::numeric_limits<double>::infinity();
   double fraction_before = 0.0;
   for (int i = 0; i < (may_rest ? 2 * kTimes : kTimes); ++i) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "blade/bending_table.hpp"
@@ -199,6 +200,9 @@ struct Interval : TipInTime, IntervalStart {
 struct Closeness {
   double velocity;  ///< error of x', y' that may be left [m per unit τ]
   bool warm;        ///< places and velocities at the nodes are known
+  /// Newton's last step along the arc, at most, of the interval's length, as far as rounding lets it fall: the
+  /// next one would be of its square.
+  double step = std::numeric_limits<double>::infinity();
 };
 
 /// Solves the equations at the nodes by sweeps. False where the sweeps do not converge; the interval then is
