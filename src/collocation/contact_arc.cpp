@@ -90,6 +90,9 @@ double ContactArc::error_of(const Interval& interval) const {
   // Quadrature leaves out the fifteenth coefficient at the end: much less, unless coefficients hardly fall.
   const double fall_by_four = (fall * fall) * (fall * fall);
   double left_out = last * fall_by_four * fall_by_four;
+  // Of a load that makes the ring yield in its own time the ring keeps what is left out between the nodes.
+  const bool ring_keeps = !law_->ends_at_ring() && !law_->is_rigid();
+  if (ring_keeps) left_out = last * fall * fall;
   // Under friction with a velocity those of the force fall as slowly as those of the time, and the last ones
   // of both meet in their product.
   if (!law_->has_slip_state() && last > 0.0)

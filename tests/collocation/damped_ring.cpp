@@ -149,6 +149,9 @@ TEST(BladesOnDampedRing, SlipOnAsTheyBendWhereTheirSlipReverses) {
 TEST(BladesOnDampedRing, AreFollowedWhereTheyBendOnIt) {
   expect_followed({16, 165});
 }
+TEST(BladesOnDampedRing, ErrByTheToleranceWhereTheRingYieldsToASteepLoad) {
+  expect_followed({260, 276, 439, 572, 606, 660});
+}
 /// By collocation the blade is found beyond the limit of the shortening, by steps it has no equilibrium.
 TEST(BladesOnDampedRing, LeaveTheModelWhereTheLoadThatBendsThemJumpsBelowTheirOwn) {
   TimeOnArcs time;
