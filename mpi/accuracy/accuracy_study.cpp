@@ -7,7 +7,6 @@
 
 #include "analysis/rules/class.hpp"
 #include "analysis/rules/scene_tolerances.hpp"
-#include "assembly/initial_state.hpp"
 #include "assembly/make_line_solver.hpp"
 #include "mpi/accuracy/accuracy_map.hpp"
 #include "mpi/accuracy/accuracy_settings.hpp"

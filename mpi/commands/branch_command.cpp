@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "assembly/initial_state.hpp"
+#include "assembly/make_line_solver.hpp"
 #include "atlas/branch_file.hpp"
 #include "atlas/output.hpp"
 #include "branch/continuation.hpp"

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <limits>
 
-#include "assembly/initial_state.hpp"
 #include "assembly/make_line_solver.hpp"
 #include "mpi/clock.hpp"
 #include "plan/grid.hpp"

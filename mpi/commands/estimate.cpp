@@ -5,7 +5,6 @@
 #include <limits>
 #include <memory>
 
-#include "assembly/initial_state.hpp"
 #include "assembly/make_line_solver.hpp"
 #include "mpi/clock.hpp"
 #include "mpi/commands/reach.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assembly/initial_state.hpp"
 #include "assembly/make_line_solver.hpp"
 #include "atlas/atlas_reader.hpp"
 #include "atlas/final_states.hpp"

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "assembly/initial_state.hpp"
 #include "assembly/make_line_solver.hpp"
 #include "atlas/atlas_reader.hpp"
 #include "atlas/environment_error.hpp"

@@ -1,5 +1,4 @@
 #include "mpi/job/point_runner.hpp"
-#include "assembly/initial_state.hpp"
 #include "assembly/make_line_solver.hpp"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 
 #include "analysis/rules/class.hpp"
 #include "analysis/rules/scene_tolerances.hpp"
-#include "assembly/initial_state.hpp"
+#include "assembly/make_line_solver.hpp"
 #include "observables/list.hpp"
 #include "plan/scene_of_line.hpp"
 

@@ -6,13 +6,9 @@
 
 #include "assembly/blade_tables.hpp"
 #include "assembly/methods.hpp"
-#include "modes/law_of_axial_loads.hpp"
-#include "modes/law_of_damped_ring.hpp"
-#include "modes/law_of_inclined_loads.hpp"
-#include "modes/law_of_rigid_blades.hpp"
+#include "modes/laws.hpp"
 #include "settings/effects/list.hpp"
-#include "variation/blades_of_scene.hpp"
-#include "variation/friction_of_scene.hpp"
+#include "variation/parts_of_scene.hpp"
 
 namespace rubatlas::assembly {
 
@@ -20,18 +16,16 @@ namespace {
 
 using effects::Effects;
 
-/// Of elastica or beam-column, and its axial compliance.
+/// With its axial compliance.
 std::shared_ptr<const blade::ElasticaCurve> curve_of(const LineRequest& request,
                                                      const settings::Blades& blade) {
   const settings::Scene& line = request.line;
-  const auto theory = line.contact.law == settings::ContactLaw::beam_column ? blade::Theory::beam_column
-                                                                            : blade::Theory::elastica;
   double compliance = 0.0;
   if (effects::acts<&Effects::axial_compliance>(line)) {
     const double slenderness = blade.thickness / blade.length;
     compliance = line.axial_compliance->share * slenderness * slenderness / 12.0;
   }
-  return request.tables.curve(line.contact.friction, theory, compliance);
+  return request.tables.curve(line.contact.friction, variation::theory_of(line), compliance);
 }
 
 contact::Friction friction_of(const LineRequest& request) {

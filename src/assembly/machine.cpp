@@ -1,4 +1,4 @@
-#include "assembly/machine.hpp"
+#include "assembly/methods.hpp"
 
 #include <cmath>
 #include <complex>
@@ -8,8 +8,7 @@
 #include "point/solver_of_motions.hpp"
 #include "rotor/rippled_unbalance.hpp"
 #include "settings/effects/list.hpp"
-#include "variation/blades_of_scene.hpp"
-#include "variation/support_of_scene.hpp"
+#include "variation/parts_of_scene.hpp"
 
 namespace rubatlas::assembly {
 
@@ -51,7 +50,7 @@ rotor::AnyShaft shaft_of(const settings::Scene& line, settings::Machine kind, do
   return {rotor::SupportedShaft(rotor::LinearSupport(matrices.stiffness, matrices.damping, forcing))};
 }
 
-rotor::RipplingBlades blades_of(const settings::Scene& line, double speed_ratio) {
+rotor::BladeSet blades_of(const settings::Scene& line, double speed_ratio) {
   return {variation::angles_of(line), speed_ratio, line.speed_ripple.value_or(effects::SpeedRipple{})};
 }
 

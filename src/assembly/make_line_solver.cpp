@@ -1,12 +1,17 @@
 #include "assembly/make_line_solver.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <memory>
+#include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "assembly/blade_tables.hpp"
-#include "assembly/machine.hpp"
 #include "assembly/methods.hpp"
+#include "motion/motion.hpp"
 #include "plan/scene_of_line.hpp"
+#include "point/solver_of_motions.hpp"
 
 namespace rubatlas::assembly {
 
@@ -41,6 +46,21 @@ std::unique_ptr<point::LineSolver> make(const LineRequest& request) {
 
 }  // namespace
 
+std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request, modes::MakePhases* make_phases) {
+  return point::solver_of_motions(
+      request.line,
+      [line = request.line, kind = request.combination.machine,
+       law = std::shared_ptr<const modes::Law>(law_of(request)), make_phases](
+          double speed_ratio, std::span<const double> lost) -> std::unique_ptr<motion::PointMotion> {
+        rotor::Machine machine = machine_of(line, kind, speed_ratio);
+        // No step can be closer than positions are rounded: a clearance of nanometres asks for more.
+        const double rounding = std::numeric_limits<double>::epsilon() * line.ring.radius;
+        const double tolerance = std::max(line.accuracy.tolerance * machine.constants.length_scale, rounding);
+        const motion::Motion::Settings settings{{tolerance, line.validity.max_shortening}, make_phases};
+        return std::make_unique<motion::Motion>(std::move(machine), law->of_shortened(lost), settings);
+      });
+}
+
 std::shared_ptr<BladeTables> make_blade_tables() {
   return std::make_shared<BladeTables>();
 }
@@ -55,6 +75,11 @@ std::unique_ptr<point::LineSolver> make_line_solver(const settings::Scene& scene
                                                     const std::shared_ptr<BladeTables>& tables) {
   const settings::Scene own = plan::scene_of_line(scene, line);
   return make({own, *tables, settings::combination_of(own)});
+}
+
+motion::SectionState initial_state(const settings::Scene& scene, const plan::PointParameters& point) {
+  const settings::Initial initial = plan::scene_of_line(scene, point).initial;
+  return {initial.x, initial.y, initial.vx, initial.vy};
 }
 
 }  // namespace rubatlas::assembly

@@ -1,8 +1,10 @@
-/// From a scene to the solver of one of its lines: the one door to the physics.
+/// From a scene to the solver of one of its lines, and to where its points start: the one door to the
+/// physics.
 #pragma once
 
 #include <memory>
 
+#include "motion/point_start.hpp"
 #include "plan/grid.hpp"
 #include "point/line_solver.hpp"
 #include "settings/scene.hpp"
@@ -17,6 +19,10 @@ std::shared_ptr<BladeTables> make_blade_tables();
 std::unique_ptr<point::LineSolver> make_line_solver(const settings::Scene& scene,
                                                     const plan::PointParameters& line,
                                                     const std::shared_ptr<BladeTables>& tables);
+
+/// The state from which a point starts that goes on from no other: the scene's `initial`, with the point's
+/// own values of those of its quantities that are axes of the grid.
+motion::SectionState initial_state(const settings::Scene& scene, const plan::PointParameters& point);
 
 /// Whether the method `collocation` applies to a scene of one line: not to columns on dampers, nor to blades
 /// whose bends no table holds, which are computed as by `hybrid`.

@@ -1,12 +1,13 @@
-/// The laws of contact and the methods of integration, as what makes the solver of a line. Methods that only
-/// comparisons ask for stand in `compared`.
+/// The laws of contact, the machines and the methods of integration, as what makes the solver of a line.
+/// Methods that only comparisons ask for stand in `compared`.
 #pragma once
 
 #include <memory>
 
-#include "modes/contact_phases.hpp"
 #include "modes/law.hpp"
+#include "modes/phase.hpp"
 #include "point/solver.hpp"
+#include "rotor/machine.hpp"
 #include "settings/combinations.hpp"
 #include "settings/scene.hpp"
 
@@ -23,6 +24,11 @@ struct LineRequest {
 
 /// The law of contact of a line.
 std::unique_ptr<modes::Law> law_of(const LineRequest& request);
+
+/// What turns and pushes the shaft, and the ring.
+/// Only what the scene has acts. `kind`: the closed form of the isotropic shaft at constant speed is kept
+/// where the line has both.
+rotor::Machine machine_of(const settings::Scene& line, settings::Machine kind, double speed_ratio);
 
 // Methods.
 

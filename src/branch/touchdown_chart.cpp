@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "variation/blades_of_scene.hpp"
+#include "variation/parts_of_scene.hpp"
 
 namespace rubatlas::branch {
 namespace {

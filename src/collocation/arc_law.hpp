@@ -48,8 +48,8 @@ class ArcLaw {
   /// A blade that is bent begins and ends above the ring, straight.
   [[nodiscard]] virtual bool may_stand_straight(int /*blade*/) const { return false; }
   /// A straight blade that buckles finds no equilibrium next to it.
-  [[nodiscard]] virtual bool buckles_with_a_jump(const Touch& /*touch*/, const contact::Pose& /*at*/) const {
-    return false;
+  [[nodiscard]] bool buckles_with_a_jump(const Touch& touch, const contact::Pose& at) const {
+    return may_stand_straight(touch.blade) && touch.slip * at.tangential < 0.0;
   }
   /// Where the equilibria end in a fold, the blade may snap to others.
   [[nodiscard]] virtual bool has_branches(int /*blade*/) const { return false; }
@@ -64,10 +64,10 @@ class ArcLaw {
   /// equilibrium.
   [[nodiscard]] virtual std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                                   double speed) const = 0;
-  /// A contact that does not open is free again at once, instead of having no equilibrium.
-  [[nodiscard]] virtual bool is_free_at_once(const Touch& /*touch*/, const contact::Pose& /*at*/,
-                                             double /*speed*/) const {
-    return false;
+  /// A contact that does not open is free again at once, instead of having no equilibrium: a blade that does
+  /// not bend, which a ring with dampers would pull.
+  [[nodiscard]] bool is_free_at_once(const Touch& touch, const contact::Pose& at, double speed) const {
+    return !ends_at_ring() && (is_rigid() || touch.straight) && !(force(touch, at, speed).normal > 0.0);
   }
   /// The same to rounding, of a contact that an arc has left somewhat off its equilibrium.
   [[nodiscard]] virtual std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
@@ -80,7 +80,7 @@ class ArcLaw {
   /// This contact leads, of all or `alone`. Gives how far its blade is bent.
   virtual Bending lead(const Touch& touch, bool alone) = 0;
   /// ±1: to which side a blade is bent.
-  [[nodiscard]] virtual double side(const Touch& touch) const = 0;
+  [[nodiscard]] virtual double side(const Touch& touch) const { return touch.slip; }
   /// A contact where the next interval starts, if it is new there, or its leader is.
   struct Start {
     contact::TipForce force;

@@ -24,7 +24,6 @@ class ArcSweeps {
 
  protected:
   using Vector = VectorInLanes<kWidth>;
-  using Turn = TurnInLanes<kWidth>;
   using Motion = BodyInLanes<kWidth>;
   using InBlade = contact::BladeVector<Number>;
   using Pose = contact::PoseOf<Number>;
@@ -123,6 +122,11 @@ class ArcSweeps {
   static Vector on_shaft(const InBlade& vector, const Vector& er) {
     return {vector.along * er.x - vector.across * er.y, vector.along * er.y + vector.across * er.x};
   }
+  /// Along and across a blade.
+  static InBlade in_blade(const Vector& vector, const Vector& er) {
+    return {vector.x * er.x + vector.y * er.y, vector.y * er.x - vector.x * er.y};
+  }
+  static Vector quarter_turned(const Vector& vector) { return {vector.y * -1.0, vector.x}; }
 
   /// Sweeps until what is left is below the tolerance. False where it does not become so. `full`: so many
   /// sweeps have slopes of their own.
@@ -176,34 +180,29 @@ class ArcSweeps {
     Number gap;
   };
   Straight straight_tip(const TipStart& start, const Blade& blade, const Direction& er) const {
-    Vector come{shaft_.x, shaft_.y};
-    if (ring_moves()) come = {come.x - ring_.x, come.y - ring_.y};
-    come = {come.x + er.change.x * blade.reach, come.y + er.change.y * blade.reach};
-    const double from_x = seen_start_[0] + blade.reach * er.start[0];
-    const double from_y = seen_start_[1] + blade.reach * er.start[1];
-    const Vector place{come.x + from_x, come.y + from_y};
-    return {{place.x * er.x + place.y * er.y, place.y * er.x - place.x * er.y},
-            (come.x * (place.x + from_x) + come.y * (place.y + from_y)) + start.start_gap};
+    Vector come = shaft_.displacement;
+    if (ring_moves()) come = come - ring_.displacement;
+    come = come + er.change * blade.reach;
+    const Vector from{seen_start_[0] + blade.reach * er.start[0], seen_start_[1] + blade.reach * er.start[1]};
+    const Vector place = come + from;
+    return {in_blade(place, er), dot(come, place + from) + start.start_gap};
   }
   /// The shaft seen from a blade whose tip would lie there if it did not bend.
   Pose pose_of(const Straight& tip, double reach, const Vector& er) const {
-    const Vector v = seen_velocity();
-    return {tip.place.along - reach, tip.place.across, v.x * er.x + v.y * er.y, v.y * er.x - v.x * er.y,
-            tip.gap};
+    const InBlade velocity = in_blade(seen_velocity(), er);
+    return {tip.place.along - reach, tip.place.across, velocity.along, velocity.across, tip.gap};
   }
   /// The shaft's velocity as seen from the ring.
-  Vector seen_velocity() const {
-    return ring_moves() ? Vector{shaft_.vx - ring_.vx, shaft_.vy - ring_.vy} : Vector{shaft_.vx, shaft_.vy};
-  }
+  Vector seen_velocity() const { return ring_moves() ? shaft_.velocity - ring_.velocity : shaft_.velocity; }
 
-  /// Direction of the leading blade, and how fast it turns, at these times.
-  void take_direction(const Number& elapsed) {
+  /// Direction of the leading blade, and how fast it turns, at the nodes' times.
+  void take_direction() {
     const Machine& m = machine_;
-    Number angle = elapsed * m.speed_ratio;
+    Number angle = elapsed() * m.speed_ratio;
     angular_speed_ = m.speed_ratio;
     angular_acceleration_ = 0.0;
     if (ripples()) {
-      const Vector ripple = turned(interval_.ripple, elapsed * m.ripple.frequency);
+      const Vector ripple = turned(interval_.ripple, elapsed() * m.ripple.frequency);
       angle = angle + (ripple.y - interval_.ripple[1]) * m.ripple.depth;
       angular_speed_ = ripple.x * (m.speed_ratio * m.ripple.amplitude) + m.speed_ratio;
       angular_acceleration_ = ripple.y * (-m.speed_ratio * m.ripple.amplitude * m.ripple.frequency);
@@ -211,10 +210,6 @@ class ArcSweeps {
     er_.change = change_by_turning(interval_.blade, angle);
     turn_to_change();
     direction_holds_ = true;
-  }
-  /// The same, where it is not known yet.
-  void know_direction() {
-    if (!direction_holds_) take_direction(elapsed());
   }
   void turn_to_change() {
     er_.x = er_.change.x + interval_.blade[0];
@@ -236,8 +231,7 @@ class ArcSweeps {
       } else {
         term = turned(start, elapsed() * frequency);
       }
-      shaft_.ax = shaft_.ax + term.x;
-      shaft_.ay = shaft_.ay + term.y;
+      shaft_.acceleration = shaft_.acceleration + term;
     }
   }
 
@@ -256,13 +250,13 @@ class ArcSweeps {
   /// taken more than `largest_step_`.
   void turn_on(const Number& time_step) {
     if (ripples()) {
-      take_direction(elapsed());
+      take_direction();
     } else {
       const double farthest = largest_step_ * std::abs(interval_.normal.time * machine_.speed_ratio);
-      const Vector more = Turn(time_step * machine_.speed_ratio, farthest < Turn::kHardlyTurns)(er_);
-      er_.change = {er_.change.x + more.x, er_.change.y + more.y};
+      const Number angle = time_step * machine_.speed_ratio;
+      er_.change = er_.change + change_by_little_turn<kWidth>(er_, angle, farthest < kHardlyATurn);
       turn_to_change();
-      direction_holds_ = farthest < Turn::kTurns;
+      direction_holds_ = farthest < kLittleTurn;
     }
   }
 
@@ -277,14 +271,13 @@ class ArcSweeps {
     const Machine& m = machine_;
     const Vector place = shaft_.place(interval_.shaft);
     if (is_isotropic()) {
-      const double damping = 2.0 * m.damping_ratio;
-      shaft_.ax = (push.x - place.x) - shaft_.vx * damping;
-      shaft_.ay = (push.y - place.y) - shaft_.vy * damping;
+      shaft_.acceleration = (push - place) - shaft_.velocity * (2.0 * m.damping_ratio);
     } else {
-      const auto& [kxx, kxy, kyx, kyy] = m.support.stiffness;
-      const auto& [cxx, cxy, cyx, cyy] = m.support.damping;
-      shaft_.ax = (push.x - (place.x * kxx + place.y * kxy)) - (shaft_.vx * cxx + shaft_.vy * cxy);
-      shaft_.ay = (push.y - (place.x * kyx + place.y * kyy)) - (shaft_.vx * cyx + shaft_.vy * cyy);
+      const auto product = [](const std::array<double, 4>& rows, const Vector& vector) {
+        return Vector{vector.x * rows[0] + vector.y * rows[1], vector.x * rows[2] + vector.y * rows[3]};
+      };
+      shaft_.acceleration =
+          (push - product(m.support.stiffness, place)) - product(m.support.damping, shaft_.velocity);
     }
     add_forcings();
   }
@@ -294,9 +287,7 @@ class ArcSweeps {
     take_time_rate();
     double change = shaft_.integrate(in.shaft, nodes_, time_rate_);
     if (ring_has_mass()) {
-      const Vector acceleration = acceleration_of_ring(push);
-      ring_.ax = acceleration.x;
-      ring_.ay = acceleration.y;
+      ring_.acceleration = acceleration_of_ring(push);
       change = std::max(change, ring_.integrate(in.ring, nodes_, time_rate_));
     }
     return change;
@@ -304,11 +295,9 @@ class ArcSweeps {
 
   /// Of a ring with a mass, which the push on the shaft moves the other way.
   Vector acceleration_of_ring(const Vector& push) const {
-    const Machine& m = machine_;
-    const double share = -ring_share();
-    const Vector place = ring_.place(interval_.ring);
-    return {(push.x * share - place.x * m.ring.stiffness) - ring_.vx * m.ring.damping,
-            (push.y * share - place.y * m.ring.stiffness) - ring_.vy * m.ring.damping};
+    const Machine::Ring& ring = machine_.ring;
+    return (push * -ring_share() - ring_.place(interval_.ring) * ring.stiffness) -
+           ring_.velocity * ring.damping;
   }
 
   /// dτ/dθ as the deviation has it.
@@ -319,10 +308,8 @@ class ArcSweeps {
 
   /// Adds a push to the one by which shaft and ring have been moved.
   void add_push(const Vector& more) {
-    shaft_.add(nodes_, time_rate_, more.x, more.y);
-    if (!ring_moves()) return;
-    const double share = -ring_share();
-    ring_.add(nodes_, time_rate_, more.x * share, more.y * share);
+    shaft_.add(nodes_, time_rate_, more);
+    if (ring_moves()) ring_.add(nodes_, time_rate_, more * -ring_share());
   }
 
   void store_motion() const {

@@ -7,17 +7,9 @@
 #include "rotor/skimming.hpp"
 
 namespace rubatlas::collocation {
-namespace {
-
-/// `TipInTime::cone_left` of a tip that skims.
-double left_until_pressed_in(const Touch& touch) {
-  return 1.0 + kShareBeyond - touch.share;
-}
-
-}  // namespace
 
 Blade AxialLaw::numbers(int blade) const {
-  const contact::ElasticaContact& law = laws_->of(blade);
+  const contact::ElasticaContact& law = of(blade);
   return {.table = &table(blade),
           .reach = law.geometry().reach,
           .closing = law.geometry().closing(),
@@ -34,7 +26,7 @@ Blade AxialLaw::numbers(int blade) const {
 }
 
 std::optional<Touch> AxialLaw::open(const Touch& touch, const contact::Pose& at, double /*speed*/) const {
-  const contact::ElasticaContact& law = laws_->of(touch.blade);
+  const contact::ElasticaContact& law = of(touch.blade);
   Touch found = touch;
   // One that has just buckled, or straightened, has its Euler load to rounding.
   constexpr double kClearlyLess = 1.0 - 1e-9;
@@ -50,7 +42,7 @@ std::optional<Touch> AxialLaw::found_anew(const Touch& touch, const contact::Pos
                                           double /*speed*/) const {
   Touch found = touch;
   if (touch.straight) return found;
-  const auto root = laws_->of(touch.blade).solve_near(at, touch.slip, touch.bending);
+  const auto root = of(touch.blade).solve_near(at, touch.slip, touch.bending);
   if (!root || (*root == 0.0 && touch.bending > 0.0)) return std::nullopt;
   found.bending = *root;
   return found;
@@ -58,13 +50,13 @@ std::optional<Touch> AxialLaw::found_anew(const Touch& touch, const contact::Pos
 
 Bending AxialLaw::lead(const Touch& touch, bool /*alone*/) {
   leader_ = touch.blade;
-  standing_.assign(1, {touch.blade, touch.straight, touch.skims});
+  touching_.assign(1, touch);
   return {.argument = touch.straight ? kStraight : table(touch.blade).argument(touch.bending),
           .yielding = touch.yielding};
 }
 
 FurtherStart AxialLaw::further(const Touch& touch, const contact::Pose& at, double speed) {
-  standing_.push_back({touch.blade, touch.straight, touch.skims});
+  touching_.push_back(touch);
   const Start there = start(touch, at, speed);
   FurtherStart further{.blade = touch.blade,
                        .slip = touch.slip,
@@ -80,18 +72,18 @@ FurtherStart AxialLaw::further(const Touch& touch, const contact::Pose& at, doub
 }
 
 Touch AxialLaw::touch(int blade, double slip, const Bending& bending) const {
-  Touch touch{blade, slip, 0.0};
-  const Standing& standing = *std::ranges::find(standing_, blade, &Standing::blade);
-  touch.straight = standing.straight;
-  touch.skims = standing.skims;
-  touch.share = bending.share;
-  touch.yielding = bending.yielding;
-  if (!touch.straight) touch.bending = table(blade).bending(bending.argument);
-  return touch;
+  const Touch& began = *std::ranges::find(touching_, blade, &Touch::blade);
+  return {.blade = blade,
+          .slip = slip,
+          .bending = began.straight ? 0.0 : table(blade).bending(bending.argument),
+          .yielding = bending.yielding,
+          .straight = began.straight,
+          .skims = began.skims,
+          .share = bending.share};
 }
 
 contact::TipForce AxialLaw::force(const Touch& touch, const contact::Pose& at, double speed) const {
-  const contact::ElasticaContact& law = laws_->of(touch.blade);
+  const contact::ElasticaContact& law = of(touch.blade);
   if (touch.straight) return law.straight_force(at, touch.slip, speed);
   const contact::TipForce force = law.constraint(at, touch.slip, touch.bending, speed).force;
   return touch.skims ? rotor::share_of(force, touch.share) : force;
@@ -100,7 +92,7 @@ contact::TipForce AxialLaw::force(const Touch& touch, const contact::Pose& at, d
 /// g/Δ, or g/2R of a column that bends from above the ring, where g/Δ has no limit.
 double AxialLaw::gap_measure(const Touch& touch, const contact::Pose& at) const {
   if (touch.skims) return touch.share + kShareBeyond;
-  const contact::ElasticaContact& law = laws_->of(touch.blade);
+  const contact::ElasticaContact& law = of(touch.blade);
   return law.may_stand_straight() ? at.gap / (2.0 * law.geometry().ring_radius)
                                   : law.gap_per_deflection(at, touch.slip, touch.bending);
 }
@@ -108,7 +100,7 @@ double AxialLaw::gap_measure(const Touch& touch, const contact::Pose& at) const 
 ArcLaw::Start AxialLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
   Start there = starts(force(touch, at, speed), gap_measure(touch, at));
   there.tip.start_yielding = touch.yielding;
-  if (touch.skims) there.tip.start_cone_left = left_until_pressed_in(touch);
+  if (touch.skims) there.tip.start_cone_left = 1.0 + kShareBeyond - touch.share;
   if (!touch.straight) return there;
   // Of a column that has just straightened no load is left, to rounding.
   constexpr double kLeast = 1e-12;
@@ -120,7 +112,7 @@ ArcLaw::Start AxialLaw::start(const Touch& touch, const contact::Pose& at, doubl
 ArcLaw::Tangent AxialLaw::tangent(const Touch& touch, const contact::Pose& at, double speed,
                                   const std::complex<double>& /*acceleration*/) const {
   if (touch.straight) return {1.0, 0.0, 0.0};
-  const contact::ElasticaContact& law = laws_->of(touch.blade);
+  const contact::ElasticaContact& law = of(touch.blade);
   const auto there = law.constraint(at, touch.slip, touch.bending, speed);
   // dh = h_u du/dp dp + h_τ dτ
   const double slope = there.bending_slope * table(touch.blade).bending_slope_at(touch.bending);

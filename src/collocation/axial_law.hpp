@@ -24,32 +24,24 @@ class AxialLaw : public ArcLaw {
       : laws_(&laws), solver_(interval_solver()), max_shortening_(max_shortening) {}
 
   [[nodiscard]] Blade numbers(int blade) const override;
-  [[nodiscard]] contact::Geometry geometry(int blade) const override { return laws_->of(blade).geometry(); }
+  [[nodiscard]] contact::Geometry geometry(int blade) const override { return of(blade).geometry(); }
   [[nodiscard]] bool has_slip_state() const override { return true; }
   [[nodiscard]] bool may_slip_back() const override { return true; }
-  [[nodiscard]] bool releases_at_fold(int blade) const override {
-    return laws_->of(blade).releases_at_fold();
-  }
-  [[nodiscard]] bool has_branches(int blade) const override { return laws_->of(blade).has_branches(); }
+  [[nodiscard]] bool releases_at_fold(int blade) const override { return of(blade).releases_at_fold(); }
+  [[nodiscard]] bool has_branches(int blade) const override { return of(blade).has_branches(); }
   [[nodiscard]] bool starts_unloaded(int blade, double slip, const contact::Pose& at) const override {
-    return laws_->of(blade).starts_unloaded(at, slip);
+    return of(blade).starts_unloaded(at, slip);
   }
   [[nodiscard]] double valid_shortening(int blade) const override {
     return std::min(max_shortening_, table(blade).knots().back().shortening);
   }
-  [[nodiscard]] bool may_stand_straight(int blade) const override {
-    return laws_->of(blade).may_stand_straight();
-  }
-  [[nodiscard]] bool buckles_with_a_jump(const Touch& touch, const contact::Pose& at) const override {
-    return may_stand_straight(touch.blade) && touch.slip * at.tangential < 0.0;
-  }
+  [[nodiscard]] bool may_stand_straight(int blade) const override { return of(blade).may_stand_straight(); }
   /// The motion has found where a blade stands that is bent.
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                           double speed) const override;
   [[nodiscard]] std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
                                                 double speed) const override;
   Bending lead(const Touch& touch, bool alone) override;
-  [[nodiscard]] double side(const Touch& touch) const override { return touch.slip; }
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override;
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override;
@@ -57,7 +49,7 @@ class AxialLaw : public ArcLaw {
     return table(leader_).knots();
   }
   [[nodiscard]] double deflection_per_square() const override {
-    return collocation::deflection_per_square(laws_->of(leader_));
+    return collocation::deflection_per_square(of(leader_));
   }
   FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override;
   [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
@@ -69,7 +61,7 @@ class AxialLaw : public ArcLaw {
                                         double speed) const override;
   [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& /*at*/,
                                             const contact::TipForce& /*force*/) const override {
-    return touch.slip * laws_->of(touch.blade).curve().friction();
+    return touch.slip * of(touch.blade).curve().friction();
   }
   [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
     return {along.argument * table(leader_).bending_slope(bending.argument)};
@@ -77,17 +69,10 @@ class AxialLaw : public ArcLaw {
 
  protected:
   static constexpr double kStraight = 1e-6;  ///< p: not 0, from where a blade would begin to bend
-  struct Standing {
-    int blade;
-    bool straight;
-    bool skims;
-  };
-  /// Of the blades in contact: the leading one, and the others in their order.
-  [[nodiscard]] const std::vector<Standing>& standing() const { return standing_; }
+  /// The blades in contact as the interval's arc began: the leading one, and the others in their order.
+  [[nodiscard]] const std::vector<Touch>& touching() const { return touching_; }
   [[nodiscard]] const contact::ElasticaContact& of(int blade) const { return laws_->of(blade); }
-  [[nodiscard]] const blade::BendingTable& table(int blade) const {
-    return laws_->of(blade).curve().over_asinh();
-  }
+  [[nodiscard]] const blade::BendingTable& table(int blade) const { return of(blade).curve().over_asinh(); }
 
  private:
   [[nodiscard]] double gap_measure(const Touch& touch, const contact::Pose& at) const;
@@ -95,7 +80,7 @@ class AxialLaw : public ArcLaw {
   const Laws* laws_;
   IntervalSolver solver_;
   double max_shortening_;
-  std::vector<Standing> standing_;
+  std::vector<Touch> touching_;
   int leader_ = 0;
 };
 

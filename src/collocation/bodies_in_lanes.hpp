@@ -12,7 +12,27 @@ namespace {
 
 template <std::size_t kWidth>
 struct VectorInLanes {
-  Lanes<kWidth> x, y;
+  using Number = Lanes<kWidth>;
+  Number x, y;
+
+  friend VectorInLanes operator+(const VectorInLanes& one, const VectorInLanes& other) {
+    return {one.x + other.x, one.y + other.y};
+  }
+  friend VectorInLanes operator-(const VectorInLanes& one, const VectorInLanes& other) {
+    return {one.x - other.x, one.y - other.y};
+  }
+  template <class Factor>
+  friend VectorInLanes operator*(const VectorInLanes& vector, const Factor& factor) {
+    return {vector.x * factor, vector.y * factor};
+  }
+  friend Number dot(const VectorInLanes& one, const VectorInLanes& other) {
+    return one.x * other.x + one.y * other.y;
+  }
+  static VectorInLanes combined(const std::array<AtNodes, kNodes>& columns, const VectorInLanes& factors) {
+    return {Number::combined(columns, factors.x), Number::combined(columns, factors.y)};
+  }
+  /// The largest magnitude of a component at a node.
+  [[nodiscard]] double largest() const { return larger(magnitude(x), magnitude(y)).largest(); }
 };
 
 /// What turning a vector by an angle below 0.8 rad changes, by the series of sine and cosine: less than
@@ -38,97 +58,88 @@ VectorInLanes<kWidth> turned(const std::array<double, 2>& from, const Lanes<kWid
   return {change.x + from[0], change.y + from[1]};
 }
 
-/// What turning a vector by a small angle changes: of angles below `kTurns` 1e-19 is left out, of those
-/// below `kHardlyTurns`, by less than 1e-17, higher powers.
+constexpr double kLittleTurn = 0.03;
+constexpr double kHardlyATurn = 1e-3;
+/// The same by a small angle: of angles below `kLittleTurn` 1e-19 is left out, of those below `kHardlyATurn`,
+/// `hardly`, by less than 1e-17, higher powers.
 template <std::size_t kWidth>
-struct TurnInLanes {
-  using Number = Lanes<kWidth>;
-  static constexpr double kTurns = 0.03;
-  static constexpr double kHardlyTurns = 1e-3;
-  Number sine, cosine_less_one;
-  TurnInLanes(const Number& angle, bool hardly) {
-    const Number square = angle * angle;
-    if (hardly) {
-      sine = angle * (square * (-1.0 / 6) + 1.0);
-      cosine_less_one = square * (square * (1.0 / 24) - 0.5);
-      return;
-    }
+VectorInLanes<kWidth> change_by_little_turn(const VectorInLanes<kWidth>& from, const Lanes<kWidth>& angle,
+                                            bool hardly) {
+  const Lanes<kWidth> square = angle * angle;
+  Lanes<kWidth> sine, cosine_less_one;
+  if (hardly) {
+    sine = angle * (square * (-1.0 / 6) + 1.0);
+    cosine_less_one = square * (square * (1.0 / 24) - 0.5);
+  } else {
     sine = angle * (square * (square * (square * (-1.0 / 5040) + 1.0 / 120) - 1.0 / 6) + 1.0);
     cosine_less_one = square * (square * (square * (square * (1.0 / 40320) - 1.0 / 720) + 1.0 / 24) - 0.5);
   }
-  VectorInLanes<kWidth> operator()(const VectorInLanes<kWidth>& from) const {
-    return {from.x * cosine_less_one - from.y * sine, from.y * cosine_less_one + from.x * sine};
-  }
-};
+  return {from.x * cosine_less_one - from.y * sine, from.y * cosine_less_one + from.x * sine};
+}
 
 /// Shaft or ring at the nodes.
 template <std::size_t kWidth>
 struct BodyInLanes {
   using Number = Lanes<kWidth>;
-  Number x, y;  ///< from where the interval starts [m]
-  Number vx, vy, ax, ay;
+  using Vector = VectorInLanes<kWidth>;
+  Vector displacement;  ///< from where the interval starts [m]
+  Vector velocity, acceleration;
 
   void start(const Body& body, bool warm, const Number& elapsed) {
     if (warm) {
-      x = Number(body.x) - body.start[0];
-      y = Number(body.y) - body.start[1];
-      vx = Number(body.vx);
-      vy = Number(body.vy);
+      displacement = {Number(body.x) - body.start[0], Number(body.y) - body.start[1]};
+      velocity = {Number(body.vx), Number(body.vy)};
       return;
     }
-    const auto taylor = [&](std::size_t i, Number& place, Number& velocity) {
-      const double acceleration = body.acceleration[i];
+    const auto taylor = [&](std::size_t i, Number& place, Number& speed) {
+      const double first = body.acceleration[i];
       const double jerk = body.jerk[i];
-      velocity = elapsed * (elapsed * (0.5 * jerk) + acceleration) + body.start[2 + i];
-      place = elapsed * (elapsed * (elapsed * (jerk * (1.0 / 6)) + 0.5 * acceleration) + body.start[2 + i]);
+      speed = elapsed * (elapsed * (0.5 * jerk) + first) + body.start[2 + i];
+      place = elapsed * (elapsed * (elapsed * (jerk * (1.0 / 6)) + 0.5 * first) + body.start[2 + i]);
     };
-    taylor(0, x, vx);
-    taylor(1, y, vy);
+    taylor(0, displacement.x, velocity.x);
+    taylor(1, displacement.y, velocity.y);
   }
   /// Integrates the accelerations; `time_rate`: dτ/dθ. Returns the largest change of a velocity.
   double integrate(const Body& body, const NodeTables& nodes, const Number& time_rate) {
-    const Number vx_next = Number::combined(nodes.integral, ax * time_rate) + body.start[2];
-    const Number vy_next = Number::combined(nodes.integral, ay * time_rate) + body.start[3];
-    x = Number::combined(nodes.integral, vx_next * time_rate);
-    y = Number::combined(nodes.integral, vy_next * time_rate);
-    const double change = larger(magnitude(vx_next - vx), magnitude(vy_next - vy)).largest();
-    vx = vx_next;
-    vy = vy_next;
+    const Vector next =
+        Vector::combined(nodes.integral, acceleration * time_rate) + Vector{body.start[2], body.start[3]};
+    displacement = Vector::combined(nodes.integral, next * time_rate);
+    const double change = (next - velocity).largest();
+    velocity = next;
     return change;
+  }
+  /// The accelerations that go with the velocities.
+  void differentiate(const Body& body, const NodeTables& nodes, const Number& time_rate) {
+    acceleration = Vector::combined(nodes.slope, velocity - Vector{body.start[2], body.start[3]}) *
+                   (Number(1.0) / time_rate);
   }
   /// Moves the nodes on in τ.
   void go_on(const Number& time_step) {
-    x = x + vx * time_step;
-    y = y + vy * time_step;
-    vx = vx + ax * time_step;
-    vy = vy + ay * time_step;
+    displacement = displacement + velocity * time_step;
+    velocity = velocity + acceleration * time_step;
   }
   /// Adds an acceleration.
-  void add(const NodeTables& nodes, const Number& time_rate, const Number& more_x, const Number& more_y) {
-    const auto to = [&](const Number& more, Number& place, Number& velocity, Number& acceleration) {
-      const Number faster = Number::combined(nodes.integral, more * time_rate);
-      acceleration = acceleration + more;
-      velocity = velocity + faster;
-      place = place + Number::combined(nodes.integral, faster * time_rate);
-    };
-    to(more_x, x, vx, ax);
-    to(more_y, y, vy, ay);
+  void add(const NodeTables& nodes, const Number& time_rate, const Vector& more) {
+    const Vector faster = Vector::combined(nodes.integral, more * time_rate);
+    acceleration = acceleration + more;
+    velocity = velocity + faster;
+    displacement = displacement + Vector::combined(nodes.integral, faster * time_rate);
   }
   /// Squares of Legendre's coefficients of the velocity's slope by θ.
   Number squares(const NodeTables& nodes, const Number& time_rate) const {
-    const Number along_x = Number::combined(nodes.legendre, ax * time_rate);
-    const Number along_y = Number::combined(nodes.legendre, ay * time_rate);
-    return along_x * along_x + along_y * along_y;
+    const Vector along = Vector::combined(nodes.legendre, acceleration * time_rate);
+    return dot(along, along);
   }
-  VectorInLanes<kWidth> place(const Body& body) const { return {x + body.start[0], y + body.start[1]}; }
+  Vector place(const Body& body) const { return displacement + Vector{body.start[0], body.start[1]}; }
   void store(Body& body) const {
-    const VectorInLanes<kWidth> there = place(body);
+    const Vector there = place(body);
     there.x.store(body.x);
     there.y.store(body.y);
-    vx.store(body.vx);
-    vy.store(body.vy);
-    ax.store(body.ax);
-    ay.store(body.ay);
+    velocity.x.store(body.vx);
+    velocity.y.store(body.vy);
+    acceleration.x.store(body.ax);
+    acceleration.y.store(body.ay);
   }
 };
 

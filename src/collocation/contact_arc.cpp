@@ -30,19 +30,22 @@ ContactArc::ContactArc(const rotor::Machine& machine, ArcLaw& law, double tolera
       machine_(machine, law.geometry(0).ring_radius),
       solver_(interval_solver()),
       predictor_(machine, law),
+      offsets_(static_cast<std::size_t>(blades_->count())),
       contact_{&machine_.numbers(), nullptr, 1.0, law.leans()},
       allowed_(kBetweenNodes * rotor_->length_scale *
                std::pow(tolerance / rotor_->length_scale, Predictor::kOrder / kOrderAtEnd)),
       earlier_(machine.ring_body() != nullptr, rotor_->length_scale) {
   for (int k = 0; k < blades_->count(); ++k) {
-    offsets_.push_back(blades_->direction(k, {1.0, 0.0}));
+    from_first_.push_back(blades_->direction(k, {1.0, 0.0}));
     numbers_.push_back(law.numbers(k));
   }
 }
 
 contact::Pose ContactArc::pose(int blade, const Point& point) const {
-  return rotor::pose_of(*rotor_, law_->geometry(blade), blades_->direction(blade, blades_->first(point.time)),
-                        rotor::from_ring(point.bodies));
+  return pose(blade, point, direction(blade, point.time));
+}
+contact::Pose ContactArc::pose(int blade, const Point& point, const contact::BladeDirection& er) const {
+  return rotor::pose_of(*rotor_, law_->geometry(blade), er, rotor::from_ring(point.bodies));
 }
 
 void ContactArc::start_next(Interval& next) const {
@@ -150,10 +153,7 @@ void ContactArc::move(Point& point, const Interval& interval, double late) {
 }
 
 void ContactArc::guess_further(Interval& next) const {
-  AtNodes elapsed;
-  const AtNodes& node = node_tables().node;
-  for (std::size_t i = 0; i < kNodes; ++i)
-    elapsed[i] = node[i] * next.chord.time + next.deviation[i] * next.normal.time;
+  const AtNodes elapsed = guessed_times(next);
   // The next to come to a fold leads, long before. Of two that are close to theirs either may.
   constexpr std::array<double, kMostLeadChanges + 1> kShort{0.2, 1e-3, 0.0};
   for (std::size_t k = 0; k < further_.size(); ++k) {
@@ -173,10 +173,10 @@ bool ContactArc::solve_next(bool learns) {
   while (true) {
     Interval& next = trial();
     start_next(next);
-    const bool follows = alike_ != nullptr && number_ < alike_->count;
+    const bool follows = found_.alike != nullptr && number_ < found_.alike->count;
     if (follows) {
-      predictor_.follow(alike_->intervals[number_].length);
-      alike_->intervals[number_].guess(contact_, next);
+      predictor_.follow(found_.alike->intervals[number_].length);
+      found_.alike->intervals[number_].guess(contact_, next);
     } else {
       predictor_.guess(next);
     }
@@ -204,15 +204,12 @@ bool ContactArc::solve_next(bool learns) {
 
 /// The earlier contact is followed no longer.
 void ContactArc::leave_earlier() {
-  alike_ = nullptr;
-  if (kept_ != nullptr) kept_->count = std::min(kept_->count, number_);
+  found_.alike = nullptr;
+  if (found_.kept != nullptr) found_.kept->count = std::min(found_.kept->count, number_);
 }
 
 ContactArc::Outcome ContactArc::make() {
-  if (is_shorter_than(kImpact)) {
-    rebound();
-    return Outcome::made;
-  }
+  if (is_shorter_than(kImpact)) return rebound();
   predictor_.begin_interval();
   seeks_fold_ = false;
   bool learns = true;
@@ -221,16 +218,13 @@ ContactArc::Outcome ContactArc::make() {
   while (true) {
     Ending ending;
     const bool solved = solve_next(learns);
-    if (solved && kept_ != nullptr && number_ < EarlierContact::kMostIntervals) {
-      kept_->intervals[number_].take(contact_, trial(), predictor_.length_of_trial());
-      kept_->count = std::max(kept_->count, number_ + 1);
+    if (solved && found_.kept != nullptr && number_ < EarlierContact::kMostIntervals) {
+      found_.kept->intervals[number_].take(contact_, trial(), predictor_.length_of_trial());
+      found_.kept->count = std::max(found_.kept->count, number_ + 1);
     }
     if (solved && begins_) set_out_as_solved();
     const Verdict verdict = solved ? judge(ending) : Verdict::too_long;
-    if (verdict == Verdict::at_once) {
-      end_at_once(ending);
-      return Outcome::made;
-    }
+    if (verdict == Verdict::at_once) return end_at_once(ending.guard, ending.blade);
     if (verdict == Verdict::holds || verdict == Verdict::holds_in_part) {
       if (verdict == Verdict::holds) made_ = 1 - made_;
       goes_on(ending);
@@ -247,33 +241,19 @@ ContactArc::Outcome ContactArc::make() {
       begin_anew(0);
       continue;
     }
-    if (const int blade = touches_at_once(); blade != kNoBlade) {
-      end_at_once({Guard::touch_down, 0.0, blade, 0.0, !law_->ends_at_ring()});
-      return Outcome::made;
-    }
+    if (const int blade = touches_at_once(); blade != kNoBlade)
+      return end_at_once(Guard::touch_down, blade, !law_->ends_at_ring());
     if (!is_anew) {
       is_anew = begin_anew(0);
       if (is_anew) continue;
     }
-    if (is_shorter_than(kAllButImpact)) {
-      rebound();
-      return Outcome::made;
-    }
-    if (lifts_off_at_once()) {
-      end_at_once({Guard::unbent, 0.0, blade_, 0.0});
-      return Outcome::made;
-    }
+    if (is_shorter_than(kAllButImpact)) return rebound();
+    if (lifts_off_at_once()) return end_at_once(Guard::unbent, blade_);
     // Several are at their folds; the one that leads has been closest.
-    if (lead_changes_ == kMostLeadChanges && law_->releases_at_fold(blade_) && !is_straight(blade_)) {
-      end_at_once({Guard::fold, 0.0, blade_, 0.0});
-      return Outcome::made;
-    }
+    if (lead_changes_ == kMostLeadChanges && is_held_beyond_ring()) return end_at_once(Guard::fold, blade_);
     // A tip that rests, and cannot be followed in the shortest of times, is about to lose its place. Whether
     // it does is seen where it leads; so is the fold of a tip whose friction turns round steeply.
-    if (contact_.leans && contact_.slip == 0.0) {
-      end_at_once({Guard::loosening, 0.0, blade_, 0.0});
-      return Outcome::made;
-    }
+    if (contact_.leans && contact_.slip == 0.0) return end_at_once(Guard::loosening, blade_);
     if (contact_.leans && !further_.empty() && lead_changes_ < kMostLeadChanges) {
       const auto resting = std::ranges::find(further_, 0.0, &FurtherStart::slip);
       const auto next = resting == further_.end() ? further_.begin() : resting;
@@ -281,11 +261,7 @@ ContactArc::Outcome ContactArc::make() {
       ++lead_changes_;
       continue;
     }
-    if (solved && is_met_at_once(ending)) {
-      ending.guard = guard_of_tip(ending.guard);
-      end_at_once(ending);
-      return Outcome::made;
-    }
+    if (solved && is_met_at_once(ending)) return end_at_once(guard_of_tip(ending.guard), ending.blade);
     // A law with one branch leaves no equilibrium beyond its fold. Only where nothing else goes on it is
     // looked for: elsewhere a slope of time below zero is mostly an error between the nodes.
     if (!seeks_fold_) {
@@ -298,6 +274,103 @@ ContactArc::Outcome ContactArc::make() {
     is_shortest = true;
     predictor_.allow_shorter();
   }
+}
+
+// Events that leave no interval to be made: contacts that are all but impacts, and guards that are met where
+// an interval begins.
+
+/// Whether a contact that begins at the ring lasts no longer than that, as first estimated.
+bool ContactArc::is_shorter_than(double duration) const {
+  if (!begins_ || machine().ring.is_massless() || predictor_.duration() > duration) return false;
+  const double rounding = contact::gap_rounding(law_->geometry(blade_), pose(blade_, end_));
+  return std::abs(at_end_.start_gap) <= rounding;
+}
+
+/// A contact that is shorter than times are rounded is an impact: nothing changes meanwhile but that its
+/// force −F (n + c t) turns the tip's velocity along n round.
+ContactArc::Outcome ContactArc::rebound() {
+  const Touch touch = touch_of(blade_, end_);
+  const contact::Pose there = pose(blade_, end_);
+  const contact::BladeDirection er = direction(blade_, end_.time);
+  const std::complex<double> place =
+      std::complex<double>(there.radial + numbers(blade_).reach, there.tangential) *
+      std::complex<double>(er.cosine, er.sine);
+  const double distance = std::abs(place);
+  // It leaves the ring by no less than velocities are rounded, or it would stay there for ever.
+  const double rounding = 1e-3 * slip_rounding();
+  const double outwards = std::max(rounding, 0.5 * gap_rate_at_end(blade_, there) / distance);
+  const double coefficient = law_->friction_coefficient(touch, there, force(touch, end_));
+  const std::complex<double> change =
+      -2.0 * outwards * place / distance * std::complex<double>(1.0, coefficient);
+  const double shaft_share = rotor_->force_unit / whole_->closing_unit();
+  end_.bodies[2] += shaft_share * change.real();
+  end_.bodies[3] += shaft_share * change.imag();
+  end_.bodies[6] -= (1.0 - shaft_share) * change.real();
+  end_.bodies[7] -= (1.0 - shaft_share) * change.imag();
+  return end_at_once(Guard::under_load, blade_);
+}
+
+/// Whether the motion up to a guard that could not be located within the trial is no more than its error.
+bool ContactArc::is_met_at_once(const Ending& ending) const {
+  switch (guard_of_tip(ending.guard)) {
+    case Guard::slip_reversal:
+      if (!contact_.leans) return false;  // it would reverse again at once
+      break;
+    case Guard::fold:  // it has been passed by what sweeps leave
+    case Guard::loosening:
+    case Guard::shortening_limit:
+    case Guard::shaft_at_ring:
+      break;
+    case Guard::unbent:
+    case Guard::under_load:
+      if (machine().ring.is_massless()) return false;  // its velocity jumps
+      if (gap_rate_at_end(blade_, pose(blade_, end_)) > 0.0) return false;
+      break;
+    default:  // it would be met again at once
+      return false;
+  }
+  return moves_little(std::max(0.0, ending.fraction) * trial().elapsed.at_end());
+}
+
+/// Whether shaft and ring move by less than the tolerance until then [τ from where the next interval begins].
+bool ContactArc::moves_little(double late) const {
+  const auto moved = [&](const Body& body) {
+    const double velocity = std::hypot(body.start[2], body.start[3]);
+    const double acceleration = std::hypot(body.ax[0], body.ay[0]);
+    return std::abs(late) * std::max(velocity, acceleration);
+  };
+  return moved(trial().shaft) < tolerance_ && moved(trial().ring) < tolerance_;
+}
+
+/// Whether a blade moves off the ring that is all but unbent and has left it before anything has moved, or
+/// that bends where the tolerance has already let its tip leave.
+bool ContactArc::lifts_off_at_once() const {
+  if (law_->is_rigid() || is_straight(blade_) || machine().ring.is_massless()) return false;
+  if (law_->releases_at_fold(blade_)) return false;
+  if (at_end_.start_gap > 0.0 && !(end_.bending.argument < kNextToUnbent)) return false;
+  const double rate = gap_rate_at_end(blade_, pose(blade_, end_));
+  return rate < 0.0 && moves_little(-at_end_.start_gap / rate);
+}
+
+/// The next event is where the next interval would begin.
+ContactArc::Outcome ContactArc::end_at_once(Guard guard, int blade, bool inside) {
+  start_ = end_;
+  ending_ = {guard, 0.0, blade, 0.0, inside};
+  return Outcome::made;
+}
+
+/// The blade whose tip is at the ring where an arc begins, or beyond it by what the tolerance lets it, and
+/// moves outwards. In a ring with dampers it is inside: it had lifted off there.
+int ContactArc::touches_at_once() const {
+  if (!begins_) return kNoBlade;
+  for (const int blade : others_) {
+    const contact::Pose there = pose(blade, end_);
+    const bool touches = law_->ends_at_ring()
+                             ? there.gap >= -contact::gap_rounding(law_->geometry(blade), there)
+                             : starts_inside(blade);
+    if (touches && gap_rate_at_end(blade, there) > 0.0) return blade;
+  }
+  return kNoBlade;
 }
 
 /// From the interval that has been made to the next.

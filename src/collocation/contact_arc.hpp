@@ -99,10 +99,9 @@ class ContactArc {
   /// Where a blade in contact is bent most between two times of the interval; none where its p is not larger
   /// than `known`.
   [[nodiscard]] std::optional<Point> most_bent(int blade, double from, double to, double known);
-  /// Where a blade bears most between two times of the interval, of a load that is kept at the
-  /// nodes; none where that is not larger than `known`.
-  [[nodiscard]] std::optional<Point> most_loaded(int blade, const AtNodes TipInTime::*load,
-                                                 const double TipInTime::*at_start, double from, double to,
+  /// Where F, or else the strain at the root, as kept at the nodes, is largest between two times of the
+  /// interval; none where that is not larger than `known`.
+  [[nodiscard]] std::optional<Point> most_loaded(int blade, bool of_force, double from, double to,
                                                  double known);
   /// The largest |z| between two times of the interval [m], or `known` where it is not larger than that.
   [[nodiscard]] double largest_displacement(double from, double to, double known);
@@ -122,10 +121,20 @@ class ContactArc {
   [[nodiscard]] bool ends_at_last_node() const;
   /// dτ/dθ, dp/dθ and dl/dθ of the leading blade there.
   [[nodiscard]] ArcLaw::Tangent direction_at(double fraction) const;
+  /// er of a blade at a time, and where it stands.
+  [[nodiscard]] contact::BladeDirection direction(int blade, double time) const {
+    return blades_->direction(blade, blades_->first(time));
+  }
+  [[nodiscard]] contact::Pose pose(int blade, const Point& point) const;
+  [[nodiscard]] contact::Pose pose(int blade, const Point& point, const contact::BladeDirection& er) const;
   /// How far a blade in contact is bent there.
   [[nodiscard]] Bending bending_of(int blade, const Point& point) const;
   /// Its contact there.
   [[nodiscard]] Touch touch_of(int blade, const Point& point) const;
+  /// Force of a contact there.
+  [[nodiscard]] contact::TipForce force(const Touch& touch, const Point& point) const {
+    return law_->force(touch, pose(touch.blade, point), blades_->angular_speed(point.time));
+  }
   /// Bound of the gaps of the blades that do not touch, within the interval [m²].
   [[nodiscard]] double gap_bound_of_others() const { return gap_bound_of_others_; }
   /// Where the tip of a blade, straight, is farthest out within the interval, if it is there.
@@ -161,7 +170,13 @@ class ContactArc {
             std::size_t leader);
   [[nodiscard]] const Blade& numbers(int blade) const { return numbers_[static_cast<std::size_t>(blade)]; }
   [[nodiscard]] const Machine& machine() const { return machine_.numbers(); }
-  [[nodiscard]] contact::Pose pose(int blade, const Point& point) const;
+  /// dg/dτ of a straight tip that stands there at the end [m² per unit τ].
+  [[nodiscard]] double gap_rate_at_end(int blade, const contact::Pose& there) const {
+    return contact::gap_rate(law_->geometry(blade), there, blades_->angular_speed(end_.time));
+  }
+  [[nodiscard]] const std::array<double, 2>& offset_of(int blade) const {
+    return offsets_[static_cast<std::size_t>(blade)];
+  }
   static void move(Point& point, const Interval& interval, double late);
   void predict(const Touch& touch);
   void set_out(int blade, double slip, const std::complex<double>& acceleration, double& velocity) const;
@@ -178,7 +193,6 @@ class ContactArc {
   [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }
   [[nodiscard]] const Interval& trial() const { return intervals_[1 - made_]; }
   void look_for_earlier();
-  [[nodiscard]] double last_fraction(double time) const;
   /// A part of the interval: two times, and θ of each.
   struct Stretch {
     double from, to;     ///< τ of the revolution
@@ -206,17 +220,16 @@ class ContactArc {
     return interval.further[number_of(blade)];
   }
   [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before);
-  struct Other;
   [[nodiscard]] int touches_at_once() const;
   [[nodiscard]] bool is_shorter_than(double duration) const;
-  void rebound();
+  Outcome rebound();
   [[nodiscard]] Guard guard_of_tip(Guard guard) const;
   [[nodiscard]] bool is_met_at_once(const Ending& ending) const;
   [[nodiscard]] bool moves_little(double late) const;
   [[nodiscard]] bool lifts_off_at_once() const;
-  void end_at_once(const Ending& ending);
+  Outcome end_at_once(Guard guard, int blade, bool inside = false);
   [[nodiscard]] bool starts_inside(int blade) const;
-  bool stays_off(const Other& other, const Interval& interval, double allowed);
+  bool stays_off(int blade, const Interval& interval, double allowed);
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it. Or
   /// its ending is met at once, where it starts.
   enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, at_once };
@@ -225,7 +238,6 @@ class ContactArc {
   void goes_on(const Ending& ending);
   [[nodiscard]] std::vector<Touch> touching_at(const Point& point) const;
   bool begin_anew(std::size_t leader);
-  void begin_anew(std::span<const Touch> touching, std::size_t leader);
   void leave_earlier();
   void guess_further(Interval& next) const;
   bool cut(const Interval& whole, double fraction, Interval& shorter,
@@ -244,6 +256,10 @@ class ContactArc {
   [[nodiscard]] bool is_straight(int blade) const {
     if (law_->is_rigid()) return true;
     return blade == blade_ ? contact_.straight : further_[number_of(blade)].straight;
+  }
+  /// The contact of the leading blade, bent, goes on beyond the ring up to its fold.
+  [[nodiscard]] bool is_held_beyond_ring() const {
+    return law_->releases_at_fold(blade_) && !is_straight(blade_);
   }
   /// Slip to this side may reverse.
   [[nodiscard]] bool reverses(double slip) const { return law_->has_slip_state() && slip != 0.0; }
@@ -276,21 +292,18 @@ class ContactArc {
 
   const rotor::Machine* whole_;
   const rotor::RotorConstants* rotor_;
-  const rotor::RipplingBlades* blades_;
+  const rotor::BladeSet* blades_;
   ArcLaw* law_;
   double tolerance_;  ///< [m]
   MachineInTime machine_;
   std::vector<Blade> numbers_;  ///< of the blades
   IntervalSolver solver_;
   Predictor predictor_;
-  std::vector<contact::BladeDirection> offsets_;  ///< of the blades from blade 0's place
-  /// A blade that does not touch, and its offset from the leading one.
-  struct Other {
-    int blade;
-    std::array<double, 2> offset;
-  };
-  std::vector<Other> others_;
-  std::vector<FurtherStart> further_;  ///< where the next interval starts
+  std::vector<std::array<double, 2>>
+      offsets_;  ///< cosine and sine of the angles from the leading blade to others
+  std::vector<contact::BladeDirection> from_first_;  ///< of the blades from the place of blade 0
+  std::vector<int> others_;                          ///< blades that do not touch
+  std::vector<FurtherStart> further_;                ///< where the next interval starts
   Contact contact_;
   double allowed_;  ///< error of a velocity between the nodes [m per unit τ]
 
@@ -305,11 +318,10 @@ class ContactArc {
   std::array<Interval, 2> intervals_{};  ///< the last that was made, and the next
   std::size_t made_ = 0;
   EarlierContacts earlier_;
-  const EarlierContact* alike_ = nullptr;  ///< is followed; null: no longer, or none
-  EarlierContact* kept_ = nullptr;         ///< this contact, for later ones
-  std::size_t number_ = 0;                 ///< of the next interval in the contact
-  TipStart at_end_{};                      ///< of the leading blade there
-  double rounding_at_end_ = 0.0;           ///< |v| or other where an ending is
+  EarlierContacts::Found found_;  ///< the earlier contact is followed, unless it is null
+  std::size_t number_ = 0;        ///< of the next interval in the contact
+  TipStart at_end_{};             ///< of the leading blade there
+  double rounding_at_end_ = 0.0;  ///< |v| or other where an ending is
   double displacement_bound_ = 0.0;
   double argument_bound_ = 0.0;  ///< of the leading blade's p in the interval that was made
   double gap_bound_of_others_ = 0.0;

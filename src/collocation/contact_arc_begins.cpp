@@ -28,17 +28,11 @@ void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span
     const blade::BendingTable* const table = numbers(touch.blade).table;
     return touch.touches_down() && table != nullptr && table->knots().back().argument > kLongest;
   };
-  const auto leads = std::ranges::find_if(touching, all_but_jumps);
-  const auto is_bent =
-      std::ranges::find_if(touching, [](const Touch& touch) { return !touch.touches_down(); });
-  std::size_t leader = 0;
-  if (leads != touching.end()) {
-    leader = static_cast<std::size_t>(leads - touching.begin());
-  } else if (is_bent != touching.end()) {
-    leader = static_cast<std::size_t>(is_bent - touching.begin());
-  }
+  auto leads = std::ranges::find_if(touching, all_but_jumps);
+  if (leads == touching.end()) leads = std::ranges::find_if_not(touching, &Touch::touches_down);
+  if (leads == touching.end()) leads = touching.begin();
   lead_changes_ = 0;
-  lead(time, bodies, touching, leader);
+  lead(time, bodies, touching, static_cast<std::size_t>(leads - touching.begin()));
 }
 
 void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching,
@@ -63,11 +57,11 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
     hold(held, start_);
     touching = held;
   }
-  er_ = blades_->direction(blade_, blades_->first(time));
-  const contact::BladeDirection& from = offsets_[static_cast<std::size_t>(blade_)];
-  const auto offset_of = [&](int blade) {
-    return offset_between(from, offsets_[static_cast<std::size_t>(blade)]);
-  };
+  er_ = direction(blade_, time);
+  const contact::BladeDirection& from = from_first_[static_cast<std::size_t>(blade_)];
+  std::ranges::transform(from_first_, offsets_.begin(),
+                         [&from](const auto& to) { return offset_between(from, to); });
+  offsets_[static_cast<std::size_t>(blade_)] = {1.0, 0.0};
   further_.clear();
   for (const Touch& touch : touching) {
     if (touch.blade == blade_) continue;
@@ -80,12 +74,10 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   end_ = start_;
   others_.clear();
   for (int blade = 0; blade < blades_->count(); ++blade) {
-    if (std::ranges::find(touching, blade, &Touch::blade) == touching.end())
-      others_.push_back({blade, offset_of(blade)});
+    if (std::ranges::find(touching, blade, &Touch::blade) == touching.end()) others_.push_back(blade);
   }
   predict(touching[leader]);
-  alike_ = nullptr;
-  kept_ = nullptr;
+  found_ = {};
   number_ = 0;
   if (further_.empty() && !contact_.skims) look_for_earlier();
 }
@@ -110,16 +102,13 @@ void ContactArc::look_for_earlier() {
     return std::array{x, y, vx, vy};
   };
   const std::complex<double> forcing = machine_.forcing(end_.time);
-  const Beginning beginning{.shaft = motion(0, machine().misalignment),
-                            .ring = motion(4, 0.0),
-                            .angular_speed = blades_->angular_speed(end_.time),
-                            .forcing = seen(forcing.real(), forcing.imag()),
-                            .argument = end_.bending.argument,
-                            .slip = contact_.slip,
-                            .straight = contact_.straight};
-  const EarlierContacts::Found found = earlier_.find(beginning);
-  alike_ = found.alike;
-  kept_ = found.next;
+  found_ = earlier_.find({.shaft = motion(0, machine().misalignment),
+                          .ring = motion(4, 0.0),
+                          .angular_speed = blades_->angular_speed(end_.time),
+                          .forcing = seen(forcing.real(), forcing.imag()),
+                          .argument = end_.bending.argument,
+                          .slip = contact_.slip,
+                          .straight = contact_.straight});
 }
 
 /// What is known where the leading blade takes the lead.
@@ -165,28 +154,26 @@ std::vector<Touch> ContactArc::touching_at(const Point& point) const {
 /// Begins anew where the last interval has ended: what sweeps have left of the leader's equation there would
 /// be a jump at the start of the next one. `leader`: as in `touching_at`. False where it cannot be found
 /// anew.
+///
+/// Gaps stay those by how far the tips have come: those of places would lose digits, or be nothing but
+/// rounding.
 bool ContactArc::begin_anew(std::size_t leader) {
+  std::vector<double> gaps{at_end_.start_gap};
+  for (const FurtherStart& further : further_) gaps.push_back(further.tip.start_gap);
   std::vector<Touch> touching = touching_at(end_);
   Touch& leads = touching[leader];
   contact::Pose there = pose(leads.blade, end_);
-  there.gap = leader == 0 ? at_end_.start_gap : further_[leader - 1].tip.start_gap;
+  there.gap = gaps[leader];
   std::optional<Touch> found;
   if (std::abs(there.gap) > contact::gap_rounding(law_->geometry(leads.blade), there))
     found = law_->found_anew(leads, there, blades_->angular_speed(end_.time));
   leads = found.value_or(leads);
-  begin_anew(touching, leader);
-  return found.has_value();
-}
-/// Gaps stay those by how far the tips have come: those of places would lose digits, or be nothing but
-/// rounding.
-void ContactArc::begin_anew(std::span<const Touch> touching, std::size_t leader) {
-  std::vector<double> gaps{at_end_.start_gap};
-  for (const FurtherStart& further : further_) gaps.push_back(further.tip.start_gap);
   lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, leader);
   at_end_.start_gap = gaps[leader];
   gaps.erase(gaps.begin() + static_cast<std::ptrdiff_t>(leader));
   for (std::size_t k = 0; k < further_.size(); ++k) further_[k].tip.start_gap = gaps[k];
   predictor_.begin_interval();
+  return found.has_value();
 }
 
 }  // namespace rubatlas::collocation

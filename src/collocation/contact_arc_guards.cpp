@@ -39,8 +39,8 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
       place_of_first = node + 1;
     }
   };
-  const bool releases_at_fold = law_->releases_at_fold(blade_) && !is_straight(blade_);
-  if (!releases_at_fold && !(bounds.gap_measure > 0.0))
+  const bool held_beyond_ring = is_held_beyond_ring();
+  if (!held_beyond_ring && !(bounds.gap_measure > 0.0))
     look(Guard::under_load, blade_, interval.start_gap_measure, interval.gap_measure, 1.0);
   // Over p itself the last node is the unbent blade.
   const std::size_t count = interval.chord.time == 0.0 ? kNodes - 1 : kNodes;
@@ -50,7 +50,7 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
   const bool ends_only_branch =
       seeks_fold_ && law_->ends_at_ring() && !law_->is_rigid() && !is_next_to_unbent(interval);
   const bool may_fold =
-      !is_straight(blade_) && (releases_at_fold || law_->has_branches(blade_) || ends_only_branch);
+      held_beyond_ring || (!is_straight(blade_) && (law_->has_branches(blade_) || ends_only_branch));
   if (may_fold)
     look(Guard::fold, blade_, sum_of_products(node_tables().value_at_start, interval.time_slope),
          interval.time_slope, 1.0, count);
@@ -119,11 +119,10 @@ ContactArc::Course ContactArc::validity_left(const Interval& interval, Guard gua
 /// The first touch-down of another blade, if it comes before this ending. None where it cannot be told.
 std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interval, Ending before) {
   gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
-  for (const Other& other : others_) {
-    const Blade& blade = numbers(other.blade);
-    if (stays_off(other, interval, 0.0)) continue;
-    const bool inside = starts_inside(other.blade);
-    const TipCourse tip = course_of_tip(machine(), interval, blade, other.offset);
+  for (const int blade : others_) {
+    if (stays_off(blade, interval, 0.0)) continue;
+    const bool inside = starts_inside(blade);
+    const TipCourse tip = course_of_tip(machine(), interval, numbers(blade), offset_of(blade));
     AtPlaces values = inside ? tip.rate : tip.gap;
     for (double& value : values) value = -value;
     std::size_t place = kPlaces;
@@ -136,7 +135,7 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
     // Where it has left the ring before it turns outwards, it touches at the ring.
     if (inside && !(sum_of_products(basis_at(fraction), tip.gap) > 0.0)) return std::nullopt;
     if (fraction < before.fraction)
-      before = {Guard::touch_down, fraction, other.blade, slope_before(values, fraction), inside};
+      before = {Guard::touch_down, fraction, blade, slope_before(values, fraction), inside};
   }
   return before;
 }
@@ -230,7 +229,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   ending_ = ending;
   if (ending.guard == Guard::none && interval.chord.time == 0.0) ending_ = {Guard::unbent, 1.0, blade_, 0.0};
   if (const int skims = skimming_blade(); skims != kNoBlade) {
-    rotor::put_on_ring(*whole_, law_->geometry(skims), blades_->direction(skims, blades_->first(end_.time)),
+    rotor::put_on_ring(*whole_, law_->geometry(skims), direction(skims, end_.time),
                        blades_->angular_speed(end_.time), end_.bodies);
     if (ending_.guard == Guard::under_load && ending_.blade == skims) return;
   }
@@ -244,15 +243,14 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
     constexpr double kFarthest = 0.1;  // of the interval
     for (int i = 0; i < kTimes; ++i) {
       const contact::Pose there = pose(blade, end_);
-      const double late =
-          -there.gap / contact::gap_rate(law_->geometry(blade), there, blades_->angular_speed(end_.time));
+      const double late = -there.gap / gap_rate_at_end(blade, there);
       if (std::abs(late) < kFarthest * interval.elapsed.at_end()) move(end_, interval, late);
       place_ring();
     }
     const double radius = machine().ring_radius;
     const double left = pose(blade, end_).gap / (2.0 * radius);
     if (!(std::abs(left) < tolerance_)) return;
-    const contact::BladeDirection er = blades_->direction(blade, blades_->first(end_.time));
+    const contact::BladeDirection er = direction(blade, end_.time);
     const rotor::State seen = rotor::from_ring(end_.bodies);
     const double reach = numbers(blade).reach;
     end_.bodies[0] -= left * (seen[0] + reach * er.cosine) / radius;

@@ -50,14 +50,14 @@ bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
 
 /// Whether another tip does not touch within an interval: its gap [m²] stays below what is allowed, or, where
 /// it starts inside the ring, half of the rate of that.
-bool ContactArc::stays_off(const Other& other, const Interval& interval, double allowed) {
-  const Blade& blade = numbers(other.blade);
-  const double bound = solver_.largest_gap(contact_, interval, blade, other.offset);
+bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) {
+  const std::array<double, 2>& offset = offset_of(blade);
+  const double bound = solver_.largest_gap(contact_, interval, numbers(blade), offset);
   gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
-  if (starts_inside(other.blade))
-    return largest_coefficient(course_of_tip(machine(), interval, blade, other.offset).rate) < allowed;
+  if (starts_inside(blade))
+    return largest_coefficient(course_of_tip(machine(), interval, numbers(blade), offset).rate) < allowed;
   // A tip that has just lifted off may stand at the ring for a while.
-  return bound < allowed || bound < rotor_->gap_rounding(law_->geometry(other.blade));
+  return bound < allowed || bound < rotor_->gap_rounding(law_->geometry(blade));
 }
 
 /// Whether a fold is the lift-off of an unbent blade: time stands still there, too, so that rounding, or an
@@ -102,8 +102,8 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
     // The tip that touches is at the ring at the end.
     const double at_ring = 2.0 * machine().ring_radius * tolerance_;
     gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
-    for (const Other& other : others_) {
-      if (!stays_off(other, part, other.blade == ending.blade ? at_ring : 0.0)) return Verdict::too_long;
+    for (const int blade : others_) {
+      if (!stays_off(blade, part, blade == ending.blade ? at_ring : 0.0)) return Verdict::too_long;
     }
   }
   // Another is close to its fold, where it may have been solved for on the wrong side.
@@ -118,12 +118,11 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   if (!stays_valid(bounds, ending)) return begins_ && may_change ? change_leader() : Verdict::too_long;
   displacement_bound_ = bounds.displacement;
   argument_bound_ = bounds.argument;
-  const bool held_beyond_ring = law_->releases_at_fold(blade_) && !is_straight(blade_);
   // A blade that has just bent on a ring with dampers moves away from where it stood straight by the square
   // of the time, at first by less than sweeps leave.
   const bool stays_bent = begins_ ? bounds.gap_measure > -kClosest * tolerance_
                                   : bounds.gap_measure > 0.0 && next.start_gap_measure > 0.0;
-  if (ending.guard != Guard::under_load && !held_beyond_ring && !stays_bent) return Verdict::too_long;
+  if (ending.guard != Guard::under_load && !is_held_beyond_ring() && !stays_bent) return Verdict::too_long;
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;
   ending.guard = guard_of_tip(ending.guard);

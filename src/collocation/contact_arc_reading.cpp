@@ -17,11 +17,6 @@ constexpr double kSafety = 100.0;
 double ContactArc::fraction_at(double time) const {
   return collocation::fraction_at(made(), time - made().start_time);
 }
-/// θ of a time, or of the end, which may lie before that of the interval (`end_at`).
-double ContactArc::last_fraction(double time) const {
-  const bool whole = time >= end_.time && end_.time >= made().start_time + made().elapsed.at_end();
-  return whole ? 1.0 : fraction_at(std::min(time, end_.time));
-}
 
 ContactArc::Point ContactArc::solved_at(double time) {
   if (time <= start_.time) return start_;
@@ -58,7 +53,10 @@ contact::BladeDirection ContactArc::direction_at_node(int blade, std::size_t nod
 }
 
 ContactArc::Stretch ContactArc::stretch(double from, double to) const {
-  return {from, to, from <= start_.time ? 0.0 : fraction_at(from), last_fraction(to)};
+  // The end may lie before that of the interval (`end_at`).
+  const bool whole = to >= end_.time && end_.time >= made().start_time + made().elapsed.at_end();
+  return {from, to, from <= start_.time ? 0.0 : fraction_at(from),
+          whole ? 1.0 : fraction_at(std::min(to, end_.time))};
 }
 /// At θ of a stretch. The time of θ errs between the nodes: the ends of the stretch are those times.
 ContactArc::Point ContactArc::solved_in(const Stretch& stretch, double fraction) {
@@ -104,13 +102,12 @@ double ContactArc::nearer_to_top(int blade, const Point& there, const AtPlaces& 
   return curvature < 0.0 && missed > kMissed * value(fraction) ? fraction - slope / curvature : fraction;
 }
 
-std::optional<ContactArc::Point> ContactArc::most_loaded(int blade, const AtNodes TipInTime::*load,
-                                                         const double TipInTime::*at_start, double from,
-                                                         double to, double known) {
+std::optional<ContactArc::Point> ContactArc::most_loaded(int blade, bool of_force, double from, double to,
+                                                         double known) {
   const Stretch within = stretch(from, to);
-  const TipInTime& tip =
-      blade == blade_ ? static_cast<const TipInTime&>(made()) : made().further[number_of(blade)];
-  const AtPlaces values = at_places(tip.*at_start, tip.*load);
+  const TipInTime& in_time = tip(blade);
+  const AtPlaces values = of_force ? at_places(in_time.start_force, in_time.normal_force)
+                                   : at_places(in_time.start_strain, in_time.root_strain);
   const double error =
       kSafety * allowed_ / rotor_->length_scale * *std::max_element(values.begin(), values.end());
   const auto most = largest_of(values, within.first, within.last, known - error);
@@ -177,10 +174,7 @@ Touch ContactArc::touch_of(int blade, const Point& point) const {
 }
 
 std::optional<TipTop> ContactArc::top_of_tip(int blade) const {
-  const auto& from = offsets_[static_cast<std::size_t>(blade_)];
-  const auto& to = offsets_[static_cast<std::size_t>(blade)];
-  const auto offset = blade == blade_ ? std::array{1.0, 0.0} : offset_between(from, to);
-  return collocation::top_of_tip(machine(), made(), numbers(blade), offset);
+  return collocation::top_of_tip(machine(), made(), numbers(blade), offset_of(blade));
 }
 
 }  // namespace rubatlas::collocation

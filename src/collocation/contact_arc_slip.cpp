@@ -48,7 +48,7 @@ void ContactArc::set_out_as_solved() {
 /// dv/dτ of a straight tip under an acceleration of the shaft, seen from the ring.
 double ContactArc::slip_acceleration(int blade, const Point& point,
                                      const std::complex<double>& acceleration) const {
-  const contact::BladeDirection er = blades_->direction(blade, blades_->first(point.time));
+  const contact::BladeDirection er = direction(blade, point.time);
   const contact::Geometry geometry = law_->geometry(blade);
   const std::complex<double> seen = acceleration * std::complex<double>(er.cosine, -er.sine);
   const double turning = geometry.reach * blades_->angular_acceleration(point.time);
@@ -58,23 +58,20 @@ double ContactArc::slip_acceleration(int blade, const Point& point,
 
 /// Direction of the slip of a straight tip.
 std::complex<double> ContactArc::tangent(int blade, const Point& point) const {
-  const contact::BladeDirection er = blades_->direction(blade, blades_->first(point.time));
+  const contact::BladeDirection er = direction(blade, point.time);
   return contact::tangent(law_->geometry(blade), pose(blade, point)) *
          std::complex<double>(er.cosine, er.sine);
 }
 
 /// Finds c of rigid tips at rest among all that touch: those that take away dv/dτ of each.
 void ContactArc::hold(std::span<Touch> touching, const Point& point) const {
-  const auto force_of = [&](const Touch& touch) {
-    return law_->force(touch, pose(touch.blade, point), blades_->angular_speed(point.time));
-  };
-  std::complex<double> force;
+  std::complex<double> sum;
   for (Touch& touch : touching) {
     touch.holding = 0.0;
-    force += contact::on_rotor(force_of(touch), blades_->direction(touch.blade, blades_->first(point.time)));
+    sum += contact::on_rotor(force(touch, point), direction(touch.blade, point.time));
   }
   const std::complex<double> acceleration =
-      whole_->acceleration(rotor::full_state(point.bodies, point.time, 0.0), force).shaft;
+      whole_->acceleration(rotor::full_state(point.bodies, point.time, 0.0), sum).shaft;
   std::array<contact::AtRest, contact::kMostAtRest> tips{};
   std::array<Touch*, contact::kMostAtRest> touches{};
   std::size_t count = 0;
@@ -85,28 +82,23 @@ void ContactArc::hold(std::span<Touch> touching, const Point& point) const {
   }
   contact::share_out(std::span(tips).first(count));
   for (std::size_t i = 0; i < count; ++i)
-    touches[i]->holding = tips[i].pull / (force_of(*touches[i]).normal * rotor_->force_unit);
+    touches[i]->holding = tips[i].pull / (force(*touches[i], point).normal * rotor_->force_unit);
 }
 
 /// Finds λ of the tip that skims, under the forces of the others.
 void ContactArc::skim(std::span<Touch> touching, const Point& point) const {
-  const double speed = blades_->angular_speed(point.time);
-  const contact::BladeDirection first = blades_->first(point.time);
   const rotor::ContactState state = rotor::full_state(point.bodies, point.time, 0.0);
   Touch& skims = *std::ranges::find(touching, true, &Touch::skims);
-  const auto force_of = [&](const Touch& touch) {
-    return law_->force(touch, pose(touch.blade, point), speed);
-  };
   std::complex<double> others;
   for (const Touch& touch : touching) {
-    if (!touch.skims) others += contact::on_rotor(force_of(touch), blades_->direction(touch.blade, first));
+    if (!touch.skims) others += contact::on_rotor(force(touch, point), direction(touch.blade, point.time));
   }
   skims.share = 1.0;
   const contact::Geometry geometry = law_->geometry(skims.blade);
   const contact::Pose there = pose(skims.blade, point);
-  skims.share = -rotor::free_gap_curvature(*whole_, geometry, blades_->direction(skims.blade, first), there,
+  skims.share = -rotor::free_gap_curvature(*whole_, geometry, direction(skims.blade, point.time), there,
                                            state, others) /
-                rotor::pushed_gap_curvature(*whole_, geometry, there, force_of(skims));
+                rotor::pushed_gap_curvature(*whole_, geometry, there, force(skims, point));
 }
 
 /// The blade of the tip that skims, or none.

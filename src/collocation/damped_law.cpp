@@ -89,19 +89,19 @@ contact::TipForce DampedLaw::force(const Touch& touch, const contact::Pose& at, 
 
 bool DampedLaw::solve(const Contact& contact, const Closeness& closeness, Interval& interval) const {
   if (!AxialLaw::solve(contact, closeness, interval)) return false;
-  find_bending_left(contact, interval, standing().front(), contact.slip, {1.0, 0.0}, interval);
+  find_bending_left(contact, interval, touching().front(), contact.slip, {1.0, 0.0}, interval);
   for (std::size_t k = 0; k < interval.further.size(); ++k) {
     FurtherBlade& further = interval.further[k];
-    find_bending_left(contact, interval, standing()[1 + k], further.slip, further.offset, further);
+    find_bending_left(contact, interval, touching()[1 + k], further.slip, further.offset, further);
   }
   return true;
 }
 
 /// At the nodes the load that would bend a straight blade, less its own.
-void DampedLaw::find_bending_left(const Contact& contact, const Interval& interval, const Standing& standing,
+void DampedLaw::find_bending_left(const Contact& contact, const Interval& interval, const Touch& touch,
                                   double slip, const std::array<double, 2>& offset, TipInTime& tip) const {
-  if (!standing.straight) return;
-  const contact::ElasticBladeOnDampedRing& law = laws_->of(standing.blade);
+  if (!touch.straight) return;
+  const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
   const Body& shaft = interval.shaft;
   const Body& ring = interval.ring;
   for (std::size_t i = 0; i < kNodes; ++i) {

@@ -28,11 +28,6 @@ class DampedLaw final : private BladesOfRing, public AxialLaw {
   [[nodiscard]] bool ends_at_ring() const override { return false; }
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                           double speed) const override;
-  /// A straight blade that the ring would pull.
-  [[nodiscard]] bool is_free_at_once(const Touch& touch, const contact::Pose& at,
-                                     double speed) const override {
-    return touch.straight && !(force(touch, at, speed).normal > 0.0);
-  }
   [[nodiscard]] std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
                                                 double speed) const override {
     return open(touch, at, speed);
@@ -46,8 +41,8 @@ class DampedLaw final : private BladesOfRing, public AxialLaw {
                                         double speed) const override;
 
  private:
-  void find_bending_left(const Contact& contact, const Interval& interval, const Standing& standing,
-                         double slip, const std::array<double, 2>& offset, TipInTime& tip) const;
+  void find_bending_left(const Contact& contact, const Interval& interval, const Touch& touch, double slip,
+                         const std::array<double, 2>& offset, TipInTime& tip) const;
   [[nodiscard]] double ring_opens(const Touch& touch, const contact::Pose& at, double speed) const;
 
   const Laws* laws_;

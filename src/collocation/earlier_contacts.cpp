@@ -102,7 +102,7 @@ EarlierContacts::Found EarlierContacts::find(const Beginning& beginning) {
   if (next == contacts_.size()) contacts_.emplace_back();
   const Found found{least < kAlike ? &contacts_[nearest] : nullptr, &contacts_[next]};
   // Its intervals are read, one by one, before they are written.
-  if (found.next != found.alike) found.next->count = 0;
+  if (found.kept != found.alike) found.kept->count = 0;
   beginnings_[next] = beginning;
   across_[static_cast<Eigen::Index>(next)] = beginning.shaft[1];
   velocity_across_[static_cast<Eigen::Index>(next)] = beginning.shaft[3];

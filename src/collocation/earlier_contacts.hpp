@@ -50,8 +50,8 @@ class EarlierContacts {
   EarlierContacts(bool ring_moves, double clearance) : ring_moves_(ring_moves), clearance_(clearance) {}
 
   struct Found {
-    const EarlierContact* alike;  ///< that began most alike; null where none began nearly so
-    EarlierContact* next;         ///< where the new contact is to be kept; may be the same
+    const EarlierContact* alike = nullptr;  ///< that began most alike; null where none began nearly so
+    EarlierContact* kept = nullptr;         ///< where the new contact is to be kept; may be the same
   };
   /// For a contact that begins now.
   Found find(const Beginning& beginning);

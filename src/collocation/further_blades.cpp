@@ -76,6 +76,14 @@ double square_of_deflection(const blade::BendingTable& table, double square) {
 
 }  // namespace
 
+AtNodes guessed_times(const Interval& next) {
+  AtNodes elapsed;
+  const AtNodes& node = node_tables().node;
+  for (std::size_t i = 0; i < kNodes; ++i)
+    elapsed[i] = node[i] * next.chord.time + next.deviation[i] * next.normal.time;
+  return elapsed;
+}
+
 void guess(const FurtherStart& start, const AtNodes& elapsed, FurtherBlade& blade) {
   static_cast<TipStart&>(blade) = start.tip;
   blade.load = start.load;

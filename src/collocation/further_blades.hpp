@@ -72,6 +72,8 @@ FurtherStart::Course course_at_end(const Interval& made, const AtNodes& nodes);
 /// How a blade goes on from there.
 void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start);
 
+/// τ since the start of an interval, as its arc has been guessed.
+AtNodes guessed_times(const Interval& next);
 /// The start of a further blade in an interval, and its first guess, where the guess of the times is known.
 void guess(const FurtherStart& start, const AtNodes& elapsed, FurtherBlade& blade);
 

@@ -71,11 +71,10 @@ class InclinedLaw final : public ArcLaw {
         opened.bend = {std::sin(0.5 * law.first_load_angle(at, touch.slip, speed)), 0.0};
         return opened;
       }
+      if (opens_under_load(law, at, speed, opened)) return opened;
     }
-    if (touch.bend.modulus == 0.0 && opens_under_load(law, at, speed, opened)) return opened;
     contact::TipForce force{};
-    if (!law.respond(at, touch.slip, speed, opened.bend.modulus, opened.bend.amplitude, force))
-      return std::nullopt;
+    if (!law.respond(at, touch.slip, speed, opened.bend, force)) return std::nullopt;
     return opened;
   }
   Bending lead(const Touch& touch, bool alone) override {
@@ -212,10 +211,7 @@ class InclinedLaw final : public ArcLaw {
     load.table = nullptr;  // of the contact before
     load.side = std::copysign(1.0, first);
     load.scale = 2.0 * lean;
-    Machine machine{};
-    machine.ring_radius = law.geometry().ring_radius;
     const Blade blade = numbers(touch.blade);
-    const Contact contact{&machine, &blade, touch.slip};
     BranchPoints points;
     points.lean.value.fill(lean);
     double from = 0.0;
@@ -225,7 +221,8 @@ class InclinedLaw final : public ArcLaw {
     const auto look = [&] {
       for (std::size_t i = 0; i < kNodes; ++i)
         points.argument[i] = from + (to - from) * static_cast<double>(i + 1) / kNodes;
-      if (!solver_.inclined_branch(contact, load, at, speed, points)) return false;
+      if (!solver_.inclined_branch(blade, touch.slip, law.geometry().ring_radius, load, at, speed, points))
+        return false;
       const auto& h = points.residual.value;
       beyond = static_cast<std::size_t>(std::ranges::find_if(h, [](double there) { return !(there > 0.0); }) -
                                         h.begin());

@@ -43,24 +43,19 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
                  Interval& interval)
       : Base(contact, closeness, interval),
         lean_(interval.lean),
-        lead_(contact, load),
+        lead_(*contact.blade, contact.slip, machine_.ring_radius, load),
         further_(interval.further.size()) {
     for (std::size_t k = 0; k < interval.further.size(); ++k) {
       const FurtherBlade& blade = interval.further[k];
       FurtherTip& further = further_[k];
-      further.tip = {Contact{contact.machine, blade.blade, blade.slip, true}, *blade.load};
+      further.tip = {*blade.blade, blade.slip, machine_.ring_radius, *blade.load};
       further.square = Number(blade.square);
       further.lean = Number(blade.lean);
     }
     // Newton's first step has to know how v changes with the nodes' times.
     this->take_time_rate();
-    const Number per_rate = Number(1.0) / time_rate_;
-    const auto first_guess = [&](const Body& body, typename Base::Motion& motion) {
-      motion.ax = Number::combined(nodes_.slope, motion.vx - body.start[2]) * per_rate;
-      motion.ay = Number::combined(nodes_.slope, motion.vy - body.start[3]) * per_rate;
-    };
-    first_guess(interval.shaft, shaft_);
-    if (ring_moves()) first_guess(interval.ring, ring_);
+    shaft_.differentiate(interval.shaft, nodes_, time_rate_);
+    if (ring_moves()) ring_.differentiate(interval.ring, nodes_, time_rate_);
   }
 
   bool solve() { return this->converge(*this, kMostSweeps, kFullSweeps); }
@@ -96,11 +91,10 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   }
   /// The shaft's, as seen from the ring.
   Vector seen_acceleration() const {
-    return ring_moves() ? Vector{shaft_.ax - ring_.ax, shaft_.ay - ring_.ay} : Vector{shaft_.ax, shaft_.ay};
+    return ring_moves() ? shaft_.acceleration - ring_.acceleration : shaft_.acceleration;
   }
   Number e_rate_of(const Tip& tip, const InclinedPose<kWidth>& at, const Vector& er) const {
-    const Vector a = seen_acceleration();
-    return tip.e_rate(at, {a.x * er.x + a.y * er.y, a.y * er.x - a.x * er.y});
+    return tip.e_rate(at, Base::in_blade(seen_acceleration(), er));
   }
   /// du/dp, of which p² is known.
   static Number bending_slope_of(const InclinedLoad& load, const Number& square) {
@@ -118,7 +112,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   template <bool kLight>
   [[gnu::flatten]] double sweep() {  // as `plain_solved` is
     const Interval& in = interval_;
-    this->take_direction(this->elapsed());
+    this->take_direction();
     const Number argument = this->chord_argument_ + deviation_ * in.normal.argument;
     const Number square = argument * argument;
     const InclinedPose<kWidth> at = pose_from(in, lead_.numbers(), er_);
@@ -138,8 +132,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       lean_per_h_ = e_by_deviation * inverse;
       lean_per_e_ = h_by_deviation * inverse;
       constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
-      const double speed = std::abs(machine_.speed_ratio) * machine_.ring_radius +
-                           larger(magnitude(shaft_.vx), magnitude(shaft_.vy)).largest();
+      const double speed = std::abs(machine_.speed_ratio) * machine_.ring_radius + shaft_.velocity.largest();
       step_rounding_ = kRounding * speed * magnitude(lead_.e_by_velocity() * deviation_per_e_).largest();
     }
 
@@ -159,17 +152,13 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       const std::array<double, 2>& offset = in.further[k].offset;
       if (!step_further<kLight>(in.further[k], further_[k], Base::direction_at(er_before, offset), time_step))
         return std::numeric_limits<double>::quiet_NaN();
-      const Vector more = on_shaft(further_[k].push, Base::offset_by(er_, offset));
-      push = {push.x + more.x, push.y + more.y};
+      push = push + on_shaft(further_[k].push, Base::offset_by(er_, offset));
     }
-    const Vector before = seen_velocity();
-    const Vector rate = seen_acceleration();
-    const Vector expected{before.x + rate.x * time_step, before.y + rate.y * time_step};
+    const Vector expected = seen_velocity() + seen_acceleration() * time_step;
     this->move(push);
     const bool rests = lead_.inclined().rests;
     const Number slip = rests ? follow_slip<kLight>(expected) : Number(0.0);
-    const Vector found = seen_velocity();
-    const double change = larger(magnitude(found.x - expected.x), magnitude(found.y - expected.y)).largest();
+    const double change = (seen_velocity() - expected).largest();
     if (rests) bend_to(slip);
     return std::max(slip_left_, change);
   }
@@ -186,13 +175,11 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       push_by_slip_ = on_shaft(lead_.push_by_slip(machine_.force_unit), er_);
       set_slip_coupling(along_ring);
     }
-    const Vector found = seen_velocity();
-    const Number change = along_ring.x * (found.x - expected.x) + along_ring.y * (found.y - expected.y);
     AtNodes slips;
-    change.store(slips);
+    dot(along_ring, seen_velocity() - expected).store(slips);
     for (std::size_t k = 0; k < kNodes; ++k) eliminate(k, slips);
     const Number slip(slips);
-    this->add_push({push_by_slip_.x * slip, push_by_slip_.y * slip});
+    this->add_push(push_by_slip_ * slip);
     return slip;
   }
   /// Bends the blade, at rest, to the load that has followed a slip velocity.
@@ -296,11 +283,10 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   double slip_left_ = 0.0;      ///< of tips at rest [m per unit τ]
 };
 
-/// Sets h and l of the eight blades of `points`, in equilibrium but for h = 0. False where one of them has no
-/// such equilibrium that goes on from the unbent blade's.
+/// `IntervalSolver::inclined_branch`.
 template <std::size_t kWidth>
-bool inclined_branch(const Contact& contact, const InclinedLoad& load, const contact::Pose& pose,
-                     double angular_speed, BranchPoints& points) {
+bool inclined_branch(const Blade& blade, double slip, double ring_radius, const InclinedLoad& load,
+                     const contact::Pose& pose, double angular_speed, BranchPoints& points) {
   using Number = Lanes<kWidth>;
   constexpr int kMost = 8;
   constexpr double kClosest = 1e-6;  // of l: h is for Newton's method to go on from
@@ -312,7 +298,7 @@ bool inclined_branch(const Contact& contact, const InclinedLoad& load, const con
   const Number square = argument * argument;
   const Number bending = bending_of(load, argument, square);
   Number lean(points.lean);
-  InclinedTip<kWidth> tip(contact, load);
+  InclinedTip<kWidth> tip(blade, slip, ring_radius, load);
   for (int i = 0; i < kMost; ++i) {
     if (!tip.template stand<true>(bending, lean, at)) return false;
     if (!((tip.e_by_lean * load.side).least() > 0.0)) return false;

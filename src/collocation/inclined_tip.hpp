@@ -158,12 +158,9 @@ class InclinedTip {
   Number h_by_bending, h_by_lean, e_by_bending, e_by_lean;
 
   InclinedTip() = default;
-  /// `inclined` and what `contact` points to outlive it.
-  InclinedTip(const Contact& contact, const InclinedLoad& inclined)
-      : blade_(contact.blade),
-        load_(&inclined),
-        slip_(contact.slip),
-        ring_radius_(contact.machine->ring_radius) {}
+  /// `numbers` and `inclined` outlive it.
+  InclinedTip(const Blade& numbers, double slip, double ring_radius, const InclinedLoad& inclined)
+      : blade_(&numbers), load_(&inclined), slip_(slip), ring_radius_(ring_radius) {}
 
   /// False where there is no such blade. The quadrature is chosen with the slopes, and kept.
   template <bool kSlopes>

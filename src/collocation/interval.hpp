@@ -200,28 +200,12 @@ struct Interval : TipInTime, IntervalStart {
 struct Closeness {
   double velocity;  ///< error of x', y' that may be left [m per unit τ]
   bool warm;        ///< places and velocities at the nodes are known
-  /// Newton's last step along the arc, at most, of the interval's length, as far as rounding lets it fall: the
-  /// next one would be of its square.
+  /// Newton's last step along the arc, at most, of the interval's length, as far as rounding lets it fall:
+  /// the next one would be of its square.
   double step = std::numeric_limits<double>::infinity();
 };
 
-/// Solves the equations at the nodes by sweeps. False where the sweeps do not converge; the interval then is
-/// of no use. No frequency of the machine times the length of the interval is above `kFarthestTurn`.
-///
-/// A sweep makes one Newton step of h = 0 along the normal at all nodes, with the shaft moving along its
-/// path; there follow the forces, accelerations, velocities and places, the last two as integrals of the
-/// polynomials through the nodes. Only what the force does to the place, and the place to h, is left to
-/// converge.
-using Solve = bool (*)(const Contact& contact, const Closeness& closeness, Interval& interval);
 inline constexpr double kFarthestTurn = 0.8;  ///< [rad]: series of sine and cosine lose 1e-16 there
-
-/// The same for a blade under an inclined load.
-using SolveInclined = bool (*)(const Contact& contact, const InclinedLoad& load, const Closeness& closeness,
-                               Interval& interval);
-
-/// The same for rigid blades, whose arc is a stretch of time: (p, w) = (p at the start, 0).
-using SolveRigid = bool (*)(const Contact& contact, const contact::Friction& friction,
-                            const Closeness& closeness, Interval& interval);
 
 /// Blades under an inclined load, one bent more than the other, where a shaft stands.
 struct BranchPoints {
@@ -229,9 +213,6 @@ struct BranchPoints {
   AtNodes lean;      ///< l: a first guess, then that of the equilibrium
   AtNodes residual;  ///< h of it [m²]
 };
-/// Finds their equilibria but for h = 0. False where one of them has none that goes on from the unbent blade.
-using BranchOf = bool (*)(const Contact& contact, const InclinedLoad& load, const contact::Pose& pose,
-                          double angular_speed, BranchPoints& points);
 
 /// Bounds of what changes within an interval that is solved, as the polynomials through the start and the
 /// nodes have it: none of them leaves the range of its Bernstein coefficients.
@@ -258,26 +239,35 @@ struct Bounds {
 
   friend bool operator==(const Bounds&, const Bounds&) = default;
 };
-/// `bounds` has room for the further blades.
-using BoundsOf = void (*)(const Contact& contact, const Interval& interval, Bounds& bounds);
-/// Bound of the gap [m²] of another blade, straight, whose direction is that of the leading blade turned
-/// by the angle whose cosine and sine are given. The start is left out, where it may be 0.
-using LargestGap = double (*)(const Contact& contact, const Interval& interval, const Blade& blade,
-                              const std::array<double, 2>& offset);
-
-/// Sets the places and velocities of a stretch to those of the interval up to θ, as a first guess. θ may be a
-/// little beyond 1, and both the same interval.
-using ReadStretch = void (*)(const Contact& contact, const Interval& interval, double fraction,
-                             Interval& stretch);
 
 struct IntervalSolver {
-  Solve solve;
-  SolveInclined solve_inclined;
-  SolveRigid solve_rigid;
-  BranchOf inclined_branch;
-  BoundsOf bounds;
-  LargestGap largest_gap;
-  ReadStretch read_stretch;
+  /// Solves the equations at the nodes by sweeps. False where the sweeps do not converge; the interval then
+  /// is of no use. No frequency of the machine times the length of the interval is above `kFarthestTurn`.
+  ///
+  /// A sweep makes one Newton step of h = 0 along the normal at all nodes, with the shaft moving along its
+  /// path; there follow the forces, accelerations, velocities and places, the last two as integrals of the
+  /// polynomials through the nodes. Only what the force does to the place, and the place to h, is left to
+  /// converge.
+  bool (*solve)(const Contact& contact, const Closeness& closeness, Interval& interval);
+  /// The same for a blade under an inclined load.
+  bool (*solve_inclined)(const Contact& contact, const InclinedLoad& load, const Closeness& closeness,
+                         Interval& interval);
+  /// The same for rigid blades, whose arc is a stretch of time: (p, w) = (p at the start, 0).
+  bool (*solve_rigid)(const Contact& contact, const contact::Friction& friction, const Closeness& closeness,
+                      Interval& interval);
+  /// Finds the equilibria of these blades but for h = 0. False where one of them has none that goes on from
+  /// the unbent blade.
+  bool (*inclined_branch)(const Blade& blade, double slip, double ring_radius, const InclinedLoad& load,
+                          const contact::Pose& pose, double angular_speed, BranchPoints& points);
+  /// `bounds` has room for the further blades.
+  void (*bounds)(const Contact& contact, const Interval& interval, Bounds& bounds);
+  /// Bound of the gap [m²] of another blade, straight, whose direction is that of the leading blade turned
+  /// by the angle whose cosine and sine are given. The start is left out, where it may be 0.
+  double (*largest_gap)(const Contact& contact, const Interval& interval, const Blade& blade,
+                        const std::array<double, 2>& offset);
+  /// Sets the places and velocities of a stretch to those of the interval up to θ, as a first guess. θ may be
+  /// a little beyond 1, and both the same interval.
+  void (*read_stretch)(const Contact& contact, const Interval& interval, double fraction, Interval& stretch);
 };
 /// Those for this processor. All have the same bits: each has eight nodes, in parts of as many numbers as a
 /// register holds, and no fused operations.

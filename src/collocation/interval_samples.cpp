@@ -36,7 +36,11 @@ class Shaft {
         vx_(at_places(interval.shaft.start[2], interval.shaft.vx)),
         vy_(at_places(interval.shaft.start[3], interval.shaft.vy)) {}
 
-  [[nodiscard]] Swing at(double fraction) const { return at(fraction, basis_at(fraction)); }
+  [[nodiscard]] Swing at(double fraction) const {
+    const AtPlaces basis = basis_at(fraction);
+    return swing(fraction, sum_of_products(basis, x_), sum_of_products(basis, y_),
+                 sum_of_products(basis, vx_), sum_of_products(basis, vy_));
+  }
   /// z·z' there and its slope by θ.
   [[nodiscard]] integrate::ValueAndSlope rate(double fraction) const {
     const AtPlaces basis = basis_at(fraction);
@@ -52,11 +56,6 @@ class Shaft {
   }
 
  private:
-  [[nodiscard]] Swing at(double fraction, const AtPlaces& basis) const {
-    return swing(fraction, sum_of_products(basis, x_), sum_of_products(basis, y_),
-                 sum_of_products(basis, vx_), sum_of_products(basis, vy_));
-  }
-
   const Interval* interval_;
   AtPlaces x_, y_, vx_, vy_;
 };

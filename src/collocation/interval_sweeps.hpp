@@ -205,7 +205,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   template <bool kLight>
   double sweep() {
     const Interval& in = interval_;
-    this->know_direction();
+    if (!this->direction_holds_) this->take_direction();
     if (is_straight(lead_)) {
       this->largest_step_ = 0.0;
       return move_by<kLight>(push_of_straight(in, lead_, er_), er_, Number(0.0));
@@ -245,12 +245,12 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
         full = more;
         er = direction_at(er_, interval_.further[k].offset);
       } else {
-        push = {push.x + more.x, push.y + more.y};
+        push = push + more;
       }
     }
     if (skimming == nullptr) return this->move(push);
     share_ = share_on_ring(push, full, *skimming->blade, er);
-    return this->move({push.x + full.x * share_, push.y + full.y * share_});
+    return this->move(push + full * share_);
   }
 
   [[nodiscard]] static bool skims(const Tip& tip) { return !kPlain && tip.skims; }
@@ -258,24 +258,16 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   /// centre has p·p'' + p'·p' = 0 there.
   Number share_on_ring(const Vector& others, const Vector& full, const Blade& blade, const Direction& er) {
     this->accelerate(others);
-    Vector acceleration{this->shaft_.ax, this->shaft_.ay};
-    if (this->ring_has_mass()) {
-      const Vector ring = this->acceleration_of_ring(others);
-      acceleration = {acceleration.x - ring.x, acceleration.y - ring.y};
-    }
+    Vector acceleration = this->shaft_.acceleration;
+    if (this->ring_has_mass()) acceleration = acceleration - this->acceleration_of_ring(others);
     const Number speed = this->angular_speed();
-    const Number turning = this->angular_acceleration() * blade.reach;
-    const Number inward = speed * speed * blade.reach;
-    acceleration = {acceleration.x - turning * er.y - inward * er.x,
-                    acceleration.y + turning * er.x - inward * er.y};
-    const Vector seen = this->seen_velocity();
-    const Number by_turning = speed * blade.reach;
-    const Vector velocity{seen.x - by_turning * er.y, seen.y + by_turning * er.x};
-    const auto straight = straight_tip(interval_, blade, er);
-    const Vector place = this->on_shaft(straight.place, er);
-    const Number free = place.x * acceleration.x + place.y * acceleration.y + velocity.x * velocity.x +
-                        velocity.y * velocity.y;
-    return free * (-1.0 / (1.0 + this->ring_share())) / (place.x * full.x + place.y * full.y);
+    const Vector across = Base::quarter_turned(er);
+    acceleration = acceleration + across * (this->angular_acceleration() * blade.reach) -
+                   er * (speed * speed * blade.reach);
+    const Vector velocity = this->seen_velocity() + across * (speed * blade.reach);
+    const Vector place = this->on_shaft(straight_tip(interval_, blade, er).place, er);
+    const Number free = dot(place, acceleration) + velocity.x * velocity.x + velocity.y * velocity.y;
+    return free * (-1.0 / (1.0 + this->ring_share())) / dot(place, full);
   }
 
   [[nodiscard]] static bool is_straight(const Tip& tip) { return !kPlain && tip.straight; }

@@ -28,7 +28,7 @@ MachineInTime::MachineInTime(const rotor::Machine& machine, double ring_radius)
     for (const rotor::Harmonic& term : machine.harmonics()->terms())
       add(term.amplitude(), term.phase(), term.frequency());
   }
-  const rotor::RipplingBlades& blades = machine.blades;
+  const rotor::BladeSet& blades = machine.blades;
   if (blades.ripples())
     numbers_.ripple = {blades.ripple_amplitude(), blades.ripple_frequency(), blades.ripple_depth()};
   if (const rotor::RingBody* ring = machine.ring_body()) {

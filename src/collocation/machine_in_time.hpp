@@ -31,7 +31,7 @@ class MachineInTime {
     return std::polar(terms_[number].amplitude, numbers_.frequency[number] * time + terms_[number].phase);
   }
 
-  const rotor::RipplingBlades* blades_;
+  const rotor::BladeSet* blades_;
   Machine numbers_;
   std::vector<Term> terms_;
   double longest_interval_;

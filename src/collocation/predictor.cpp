@@ -23,13 +23,11 @@ constexpr double kLeastGrowth = 0.5;
 constexpr double kMostGrowth = 2.0;
 constexpr double kLeastRetry = 0.3;
 constexpr double kUnsolvedRetry = 0.5;
-constexpr double kShortest = 1e-8;      ///< of the arc with which an interval is begun
-constexpr double kStillShorter = 1e-5;  ///< of that, where nothing else helps
-constexpr double kFirstAtRest = 0.1;    ///< length of the first arc of a tip at rest
-constexpr double kStraight = 1e-6;      ///< [rad]: an arc that turns by less has no curvature
-constexpr double kSteep = 0.48;         ///< sine of the slope with which an arc may be followed down to p = 0
-constexpr double kReach = 0.15;         ///< of an arc: so far above p = 0 it is stretched to reach it
-constexpr double kLongestHalf = 1.5;    ///< [τ] half of a contact, as a first estimate
+constexpr double kFirstAtRest = 0.1;  ///< length of the first arc of a tip at rest
+constexpr double kStraight = 1e-6;    ///< [rad]: an arc that turns by less has no curvature
+constexpr double kSteep = 0.48;       ///< sine of the slope with which an arc may be followed down to p = 0
+constexpr double kReach = 0.15;       ///< of an arc: so far above p = 0 it is stretched to reach it
+constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first estimate
 
 /// error^(−1/kOrder) to half a per cent: a table over the errors' exponents and first bits. A power takes as
 /// long as what else follows from an error.
@@ -176,24 +174,6 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
   }
 }
 
-void Predictor::begin_interval() {
-  shortest_ = kShortest * length_;
-}
-
-void Predictor::begin_again() {
-  length_ = shortest_ / kShortest;
-}
-
-void Predictor::allow_shorter() {
-  shortest_ *= kStillShorter;
-}
-
-void Predictor::guess_lean(Interval& next) const {
-  const AtNodes& node = node_tables().node;
-  for (std::size_t i = 0; i < kNodes; ++i)
-    next.lean[i] = lean_.after(node[i] * next.chord.time + next.deviation[i] * next.normal.time);
-}
-
 void Predictor::guess(Interval& next) {
   next.shaft.acceleration = shaft_.acceleration;
   next.shaft.jerk = shaft_.jerk;
@@ -224,14 +204,15 @@ void Predictor::guess(Interval& next) {
       const double down = -next.start_argument * node[i];
       next.deviation[i] = time_unit_ * down * (slope + 0.5 * bend * down);
     }
-    if (leans_) guess_lean(next);
-    return;
+  } else {
+    next.chord = {time_unit_ * chord * direction.time, chord * direction.argument};
+    next.normal = {-time_unit_ * direction.argument, direction.time};
+    const double sagitta = -0.5 * curvature_ * chord * chord;
+    for (std::size_t i = 0; i < kNodes; ++i) next.deviation[i] = sagitta * node[i] * (1.0 - node[i]);
   }
-  next.chord = {time_unit_ * chord * direction.time, chord * direction.argument};
-  next.normal = {-time_unit_ * direction.argument, direction.time};
-  const double sagitta = -0.5 * curvature_ * chord * chord;
-  for (std::size_t i = 0; i < kNodes; ++i) next.deviation[i] = sagitta * node[i] * (1.0 - node[i]);
-  if (leans_) guess_lean(next);
+  if (!leans_) return;
+  const AtNodes elapsed = guessed_times(next);
+  for (std::size_t i = 0; i < kNodes; ++i) next.lean[i] = lean_.after(elapsed[i]);
 }
 
 void Predictor::accepts(double error, const Interval* first) {

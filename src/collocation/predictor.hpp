@@ -49,11 +49,11 @@ class Predictor {
   /// How long a contact that has just begun lasts, roughly [τ].
   [[nodiscard]] double duration() const { return duration_; }
 
-  void begin_interval();
+  void begin_interval() { shortest_ = kShortest * length_; }
   /// The next trial is as long as the first one of this interval.
-  void begin_again();
+  void begin_again() { length_ = shortest_ / kShortest; }
   /// The interval may be much shorter than usual.
-  void allow_shorter();
+  void allow_shorter() { shortest_ *= kStillShorter; }
   /// The first guess of the next interval, whose start is known.
   void guess(Interval& next);
   /// An earlier contact is followed instead, by an arc of this length.
@@ -69,6 +69,9 @@ class Predictor {
   void goes_on(const Interval& interval);
 
  private:
+  static constexpr double kShortest = 1e-8;      ///< of the arc with which an interval is begun
+  static constexpr double kStillShorter = 1e-5;  ///< of that, where nothing else helps
+
   /// Direction in the plane (τ/T, p), of length 1.
   struct Tangent {
     double time;
@@ -76,7 +79,6 @@ class Predictor {
   };
   void begin_under_load(const Start& start, double half);
   [[nodiscard]] double unit_at_rest(double time, double argument, double lean) const;
-  void guess_lean(Interval& next) const;
   void begin_unloaded(const Start& start, double half, double rate, double curvature_of_gap);
 
   const rotor::RotorConstants* rotor_;

@@ -51,12 +51,7 @@ class RigidLaw final : public ArcLaw {
     if (is_free_at_once(touch, at, speed)) return std::nullopt;
     return touch;
   }
-  [[nodiscard]] bool is_free_at_once(const Touch& touch, const contact::Pose& at,
-                                     double speed) const override {
-    return !ends_at_ring() && !(force(touch, at, speed).normal > 0.0);
-  }
   Bending lead(const Touch& /*touch*/, bool /*alone*/) override { return {kArgument}; }
-  [[nodiscard]] double side(const Touch& touch) const override { return touch.slip; }
   [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override {
     const contact::TipForce there = force(touch, at, speed);
     const double load = there.normal * machine_->constants.force_unit;

@@ -31,7 +31,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   RigidSweeps(const Contact& contact, const contact::Friction& friction, const Closeness& closeness,
               Interval& interval)
       : Base(contact, closeness, interval), contact_(contact), friction_(friction) {
-    this->take_direction(this->elapsed());
+    this->take_direction();
   }
 
   bool solve() { return this->converge(*this, kMostSweeps, kMostSweeps); }
@@ -69,26 +69,21 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
 
   /// Of a ring without mass.
   struct Balance {
-    struct Matrix {
-      Number xx, xy, yx, yy;
-    } stiffness;     ///< kr I + ΣAk [N/m]
-    Vector excess;   ///< ΣNk − kr r [N]
-    Vector carried;  ///< ΣAk p'k [N per unit τ]
+    Vector stiffness_x, stiffness_y;  ///< rows of kr I + ΣAk [N/m]
+    Vector excess;                    ///< ΣNk − kr r [N]
+    Vector carried;                   ///< ΣAk p'k [N per unit τ]
 
     /// K⁻¹ of a vector.
     Vector solved(const Vector& right) const {
-      const Matrix& k = stiffness;
-      const Number per_determinant = Number(1.0) / (k.xx * k.yy - k.xy * k.yx);
-      return {(k.yy * right.x - k.xy * right.y) * per_determinant,
-              (k.xx * right.y - k.yx * right.x) * per_determinant};
+      const auto& [kxx, kxy] = stiffness_x;
+      const auto& [kyx, kyy] = stiffness_y;
+      return Vector{kyy * right.x - kxy * right.y, kxx * right.y - kyx * right.x} *
+             (Number(1.0) / (kxx * kyy - kxy * kyx));
     }
   };
   Balance weigh() const {
     const double spring = machine_.ring.spring;
-    const Vector place = ring_.place(interval_.ring);
-    Balance sum{{Number(spring), Number(0.0), Number(0.0), Number(spring)},
-                {place.x * -spring, place.y * -spring},
-                {Number(0.0), Number(0.0)}};
+    Balance sum{{spring, 0.0}, {0.0, spring}, ring_.place(interval_.ring) * -spring, {0.0, 0.0}};
     each_blade([&](const Touching& at) {
       const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
       const Direction& er = at.er;
@@ -96,24 +91,20 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       const double stiffness = at.blade.ring_stiffness;
       const Vector normal = Base::on_shaft(tip.normal, er);
       const Number load = tip.yielding * stiffness;
-      sum.excess.x = sum.excess.x + load * (normal.x - normal.y * friction);
-      sum.excess.y = sum.excess.y + load * (normal.y + normal.x * friction);
+      sum.excess = sum.excess + Vector{normal.x - normal.y * friction, normal.y + normal.x * friction} * load;
       // kt (n nᵀ + (1 − R/|p|)(I − n nᵀ)), and turned by friction
       const Number across = load / tip.distance;
       const Number along = Number(stiffness) - across;
       const Number xx = across + along * normal.x * normal.x;
       const Number xy = along * normal.x * normal.y;
       const Number yy = across + along * normal.y * normal.y;
-      const typename Balance::Matrix change{xx - xy * friction, xy - yy * friction, xy + xx * friction,
-                                            yy + xy * friction};
-      sum.stiffness.xx = sum.stiffness.xx + change.xx;
-      sum.stiffness.xy = sum.stiffness.xy + change.xy;
-      sum.stiffness.yx = sum.stiffness.yx + change.yx;
-      sum.stiffness.yy = sum.stiffness.yy + change.yy;
-      const Number tip_speed = this->angular_speed() * at.blade.reach;
-      const Vector velocity{shaft_.vx - tip_speed * er.y, shaft_.vy + tip_speed * er.x};
-      sum.carried.x = sum.carried.x + (change.xx * velocity.x + change.xy * velocity.y);
-      sum.carried.y = sum.carried.y + (change.yx * velocity.x + change.yy * velocity.y);
+      const Vector change_x{xx - xy * friction, xy - yy * friction};
+      const Vector change_y{xy + xx * friction, yy + xy * friction};
+      sum.stiffness_x = sum.stiffness_x + change_x;
+      sum.stiffness_y = sum.stiffness_y + change_y;
+      const Vector velocity =
+          shaft_.velocity + Base::quarter_turned(er) * (this->angular_speed() * at.blade.reach);
+      sum.carried = sum.carried + Vector{dot(change_x, velocity), dot(change_y, velocity)};
     });
     return sum;
   }
@@ -121,35 +112,25 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   void place_ring() {
     const Balance balance = weigh();
     const Vector step = balance.solved(balance.excess);
-    ring_.x = ring_.x + step.x;
-    ring_.y = ring_.y + step.y;
-    this->largest_step_ = larger(magnitude(step.x), magnitude(step.y)).largest() / machine_.ring_radius;
+    ring_.displacement = ring_.displacement + step;
+    this->largest_step_ = step.largest() / machine_.ring_radius;
   }
   /// Where the shaft has been found to be, with the ring's velocity and acceleration.
   void settle_ring() {
     place_ring();
     const Balance balance = weigh();
-    const Vector velocity = balance.solved(balance.carried);
-    ring_.vx = velocity.x;
-    ring_.vy = velocity.y;
-    const Number time_step = Number(1.0) / this->time_rate_;
-    ring_.ax = Number::combined(this->nodes_.slope, ring_.vx - interval_.ring.start[2]) * time_step;
-    ring_.ay = Number::combined(this->nodes_.slope, ring_.vy - interval_.ring.start[3]) * time_step;
+    ring_.velocity = balance.solved(balance.carried);
+    ring_.differentiate(interval_.ring, this->nodes_, this->time_rate_);
   }
 
   template <bool kLight>
   [[gnu::flatten]] double sweep() {  // as `plain_solved` is
     if (this->ring_is_massless()) {
       place_ring();
-      const double share = -machine_.ring.spring * machine_.force_unit;
-      const Vector place = ring_.place(interval_.ring);
-      return this->move({place.x * share, place.y * share});
+      return this->move(ring_.place(interval_.ring) * (-machine_.ring.spring * machine_.force_unit));
     }
-    Vector push{Number(0.0), Number(0.0)};
-    each_blade([&](const Touching& at) {
-      const Vector more = push_of(at);
-      push = {push.x + more.x, push.y + more.y};
-    });
+    Vector push{0.0, 0.0};
+    each_blade([&](const Touching& at) { push = push + push_of(at); });
     if (count_at_rest() == 0) return this->move(push);
     this->accelerate(push);
     hold();
@@ -167,30 +148,24 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
       const Direction& er = at.er;
       const Number speed = this->angular_speed();
-      const Vector normal = Base::on_shaft(tip.normal, er);
-      const Vector along{normal.y * -1.0, normal.x};
+      typename Base::InBlade acceleration = Base::in_blade(shaft_.acceleration, er);
       // The hub's own angular acceleration moves the tip across the blade.
-      const typename Base::InBlade acceleration{
-          shaft_.ax * er.x + shaft_.ay * er.y,
-          (shaft_.ay * er.x - shaft_.ax * er.y) + this->angular_acceleration() * at.blade.reach};
+      acceleration.across = acceleration.across + this->angular_acceleration() * at.blade.reach;
       pull_[count] =
           contact::slip_acceleration(tip.normal, tip.distance, contact::tip_rate(tip.at, speed),
                                      contact::tip_acceleration(tip.at, speed, acceleration), speed);
-      tangent[count] = along;
+      tangent[count] = Base::quarter_turned(Base::on_shaft(tip.normal, er));
       ++count;
     });
     if (count == 2) {
-      const Number cosine = tangent[0].x * tangent[1].x + tangent[0].y * tangent[1].y;
+      const Number cosine = dot(tangent[0], tangent[1]);
       const Number sine = tangent[0].x * tangent[1].y - tangent[0].y * tangent[1].x;
       const Number per_square = Number(1.0) / (sine * sine);
       const Number first = (pull_[0] - cosine * pull_[1]) * per_square;
       pull_[1] = (pull_[1] - cosine * pull_[0]) * per_square;
       pull_[0] = first;
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      shaft_.ax = shaft_.ax - pull_[i] * tangent[i].x;
-      shaft_.ay = shaft_.ay - pull_[i] * tangent[i].y;
-    }
+    for (std::size_t i = 0; i < count; ++i) shaft_.acceleration = shaft_.acceleration - tangent[i] * pull_[i];
   }
   [[nodiscard]] std::size_t count_at_rest() const {
     std::size_t count = contact_.slip == 0.0 ? 1 : 0;

@@ -11,7 +11,7 @@
 namespace rubatlas::collocation {
 namespace {
 
-/// `ReadStretch` of `interval.hpp`.
+/// `IntervalSolver::read_stretch`.
 template <std::size_t kWidth>
 void read_stretch(const Contact& contact, const Interval& interval, double fraction, Interval& stretch) {
   using Number = Lanes<kWidth>;

@@ -22,12 +22,10 @@
 
 #include "compared/guards.hpp"
 #include "contact/tip.hpp"
-#include "modes/contact_force.hpp"
-#include "modes/contact_limits.hpp"
 #include "modes/contact_setup.hpp"
 #include "modes/law.hpp"
 #include "modes/open_contact.hpp"
-#include "modes/tip_of.hpp"
+#include "modes/seen_tip.hpp"
 #include "modes/tip_places.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"

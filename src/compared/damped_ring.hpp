@@ -20,7 +20,7 @@
 #include "compared/solved.hpp"
 #include "contact/damped_ring.hpp"
 #include "contact/tip.hpp"
-#include "modes/law_of_damped_ring.hpp"
+#include "modes/laws.hpp"
 #include "modes/open_contact.hpp"
 #include "rotor/bodies.hpp"
 

@@ -6,8 +6,7 @@
 #include "compared/raised_force.hpp"
 #include "compared/stepped_method.hpp"
 #include "integrate/fehlberg_45.hpp"
-#include "modes/law_of_axial_loads.hpp"
-#include "modes/law_of_rigid_blades.hpp"
+#include "modes/laws.hpp"
 
 namespace rubatlas::assembly {
 namespace {

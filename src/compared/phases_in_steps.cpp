@@ -9,8 +9,7 @@
 #include "compared/solved.hpp"
 #include "compared/sticking.hpp"
 #include "compared/sticking_elastic.hpp"
-#include "modes/law_of_damped_ring.hpp"
-#include "modes/law_of_rigid_blades.hpp"
+#include "modes/laws.hpp"
 
 namespace rubatlas::compared {
 namespace {

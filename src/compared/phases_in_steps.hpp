@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "integrate/tableau.hpp"
-#include "modes/contact_phases.hpp"
+#include "modes/phase.hpp"
 
 namespace rubatlas::compared {
 

@@ -9,7 +9,6 @@
 #include <span>
 #include <utility>
 
-#include "assembly/machine.hpp"
 #include "assembly/methods.hpp"
 #include "compared/stepped_motion.hpp"
 #include "point/solver_of_motions.hpp"

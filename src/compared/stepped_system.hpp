@@ -121,7 +121,7 @@ class SteppedSystem {
 
   const rotor::Machine* machine_;
   const rotor::RotorConstants* rotor_;
-  const rotor::RipplingBlades* directions_;
+  const rotor::BladeSet* directions_;
   const modes::Law* law_;
   Search search_;
   std::vector<SteppedBlade> blades_;

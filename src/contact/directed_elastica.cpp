@@ -313,28 +313,27 @@ auto DirectedElastica::rest(const Pose& at, double angular_speed, const Bend& ne
   return Rest{*resting, firmness(*resting, geometry_, at, angular_speed, *place)};
 }
 
-bool DirectedElastica::respond_at_rest(const Pose& at, double angular_speed, double& bending,
-                                       double& amplitude, TipForce& force) const {
-  const auto there = rest(at, angular_speed, {bending, amplitude});
+bool DirectedElastica::respond_at_rest(const Pose& at, double angular_speed, Bend& bend,
+                                       TipForce& force) const {
+  const auto there = rest(at, angular_speed, bend);
   if (!there) return false;
-  bending = there->blade.bend.modulus;
-  amplitude = there->blade.bend.amplitude;
-  Constraint standing = constraint(at, 0.0, angular_speed, there->blade.bend);
+  bend = there->blade.bend;
+  Constraint standing = constraint(at, 0.0, angular_speed, bend);
   standing.coefficient = there->blade.coefficient;
   force = force_of(at, angular_speed, standing);
   return true;
 }
 
-bool DirectedElastica::respond(const Pose& at, double slip, double angular_speed, double& bending,
-                               double& amplitude, TipForce& force) const {
-  if (friction_.sticks && slip == 0.0) return respond_at_rest(at, angular_speed, bending, amplitude, force);
+bool DirectedElastica::respond(const Pose& at, double slip, double angular_speed, Bend& bend,
+                               TipForce& force) const {
+  if (friction_.sticks && slip == 0.0) return respond_at_rest(at, angular_speed, bend, force);
   const double first = first_load_angle(at, slip, angular_speed);
   double side = first != 0.0 ? std::copysign(1.0, first) : slip;
-  bool known = bending != 0.0;
+  bool known = bend.modulus != 0.0;
   if (remembers_side()) {
-    if (known) side = std::copysign(1.0, bending);
+    if (known) side = std::copysign(1.0, bend.modulus);
   } else {
-    known = known && side * bending > 0.0;
+    known = known && side * bend.modulus > 0.0;
   }
   // Beyond a lift-off on the approaching side no positive load exists. The load is continued as an odd
   // function of the gap, or as an even one where it does not vanish at lift-off: for a column, and for a
@@ -342,16 +341,15 @@ bool DirectedElastica::respond(const Pose& at, double slip, double angular_speed
   const bool beyond_end = at.gap < 0.0 && side * at.tangential >= 0.0;
   Pose mirrored = at;
   if (beyond_end) mirrored.gap = -at.gap;
-  auto root = known ? solve_near(mirrored, slip, angular_speed, {bending, amplitude})
-                    : solve(mirrored, slip, angular_speed, side);
+  auto root =
+      known ? solve_near(mirrored, slip, angular_speed, bend) : solve(mirrored, slip, angular_speed, side);
   if (!root && remembers_side()) {  // it snaps through
     side = -side;
     root = solve(mirrored, slip, angular_speed, side);
   }
   if (!root) return false;
-  bending = root->modulus;
-  amplitude = root->amplitude;
-  force = force_of(mirrored, angular_speed, constraint_or_unloaded(mirrored, slip, angular_speed, *root));
+  bend = *root;
+  force = force_of(mirrored, angular_speed, constraint_or_unloaded(mirrored, slip, angular_speed, bend));
   if (beyond_end && side * first > 0.0) {
     force.radial = -force.radial;
     force.tangential = -force.tangential;

@@ -39,45 +39,26 @@
 
 namespace rubatlas::contact {
 
-class DirectedElastica {
+class DirectedElastica : public ElasticBladeInRing {
  public:
-  using Blade = ElasticaContact::Blade;
-
   /// `curve`: of this friction under an axial load, where that is the load; null: not at hand.
-  DirectedElastica(LoadDirection direction, Geometry geometry, Blade blade, const Friction& friction,
-                   std::shared_ptr<const blade::ElasticaCurve> curve = nullptr)
-      : direction_(direction),
-        geometry_(geometry),
-        length_(blade.length),
-        load_unit_(blade.bending_stiffness / (blade.length * blade.length)),
-        strain_unit_(0.5 * blade.thickness / blade.length),
+  DirectedElastica(LoadDirection direction, const Geometry& geometry, const Blade& blade,
+                   const Friction& friction, std::shared_ptr<const blade::ElasticaCurve> curve = nullptr)
+      : ElasticBladeInRing(geometry, blade),
+        direction_(direction),
         friction_(friction),
         curve_(std::move(curve)) {}
 
-  [[nodiscard]] const Geometry& geometry() const { return geometry_; }
   [[nodiscard]] LoadDirection direction() const { return direction_; }
   [[nodiscard]] const Friction& friction() const { return friction_; }
-  [[nodiscard]] double length() const { return length_; }            ///< L [m]
-  [[nodiscard]] double load_unit() const { return load_unit_; }      ///< EI / L² [N]
-  [[nodiscard]] double strain_unit() const { return strain_unit_; }  ///< h / (2 L) [-]
   [[nodiscard]] const blade::ElasticaCurve* curve() const { return curve_.get(); }
-  /// How often equilibria have been evaluated.
-  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
   /// The same blade, shorter at its tip by `lost` [m].
   [[nodiscard]] DirectedElastica shortened(double lost) const {
-    return {direction_,
-            {geometry_.reach - lost, geometry_.ring_radius},
-            {length_ - lost, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_},
-            friction_,
-            curve_};
+    return {direction_, geometry_.shortened(lost), blade(lost), friction_, curve_};
   }
-
   /// The same blade under another friction law.
   [[nodiscard]] DirectedElastica with_friction(const Friction& friction) const {
-    return {direction_,
-            geometry_,
-            {length_, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_},
-            friction};
+    return {direction_, geometry_, blade(), friction};
   }
 
   using Bend = blade::Bend;
@@ -187,12 +168,11 @@ class DirectedElastica {
   [[nodiscard]] std::optional<Bend> solve_near(const Pose& at, double slip, double angular_speed,
                                                const Bend& near) const;
 
-  /// Force at an equilibrium found near (`bending`, `amplitude`) = (κ, φ), which are updated; false where
-  /// there is none. `bending` = 0: a new contact. The blade stays on the side of `bending` where it has an
-  /// equilibrium there, and else snaps to the other side. `amplitude` = 0: not known. Beyond the end of the
-  /// contact (g < 0), where Runge–Kutta stages may land, the force is continued as in `ElasticaContact`.
-  bool respond(const Pose& at, double slip, double angular_speed, double& bending, double& amplitude,
-               TipForce& force) const;
+  /// Force at an equilibrium found near `bend`, which is updated; false where there is none. κ = 0: a new
+  /// contact. The blade stays on the side of κ where it has an equilibrium there, and else snaps to the other
+  /// side. φ = 0: not known. Beyond the end of the contact (g < 0), where Runge–Kutta stages may land, the
+  /// force is continued as in `ElasticaContact`.
+  bool respond(const Pose& at, double slip, double angular_speed, Bend& bend, TipForce& force) const;
 
   /// The blade that holds its tip at rest on the ring, found from the bend `near`; none where no blade can.
   struct Rest {
@@ -256,8 +236,7 @@ class DirectedElastica {
   }
 
   /// `respond` of a tip at rest.
-  bool respond_at_rest(const Pose& at, double angular_speed, double& bending, double& amplitude,
-                       TipForce& force) const;
+  bool respond_at_rest(const Pose& at, double angular_speed, Bend& bend, TipForce& force) const;
 
   /// Newton's method from a bend; none where it leaves the side, or ends on another branch than `solve`.
   [[nodiscard]] std::optional<Bend> newton(const Pose& at, double slip, double angular_speed,
@@ -271,13 +250,8 @@ class DirectedElastica {
                                                    double modulus, double guess) const;
 
   LoadDirection direction_;
-  Geometry geometry_;
-  double length_;
-  double load_unit_;    ///< EI / L² [N]
-  double strain_unit_;  ///< h / (2 L) [-]
   Friction friction_;
   std::shared_ptr<const blade::ElasticaCurve> curve_;
-  mutable std::uint64_t evaluations_ = 0;  ///< counts work; no result depends on it
 };
 
 }  // namespace rubatlas::contact

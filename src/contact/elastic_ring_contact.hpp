@@ -22,7 +22,7 @@ class ElasticRingContact {
   [[nodiscard]] double damping() const { return damping_; }      ///< cr ωn [N per (m per unit τ)]
   /// The same blade, shorter at its tip by `lost` [m].
   [[nodiscard]] ElasticRingContact shortened(double lost) const {
-    return {{geometry_.reach - lost, geometry_.ring_radius}, stiffness_, friction_, damping_};
+    return {geometry_.shortened(lost), stiffness_, friction_, damping_};
   }
 
   /// F = kr (|rk| − R) + cr d|rk|/dτ. Always true: the force is continued beyond lift-off, where Runge–Kutta

@@ -10,16 +10,14 @@
 
 namespace rubatlas::contact {
 
-Constraint ElasticaContact::constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
-                                          double angular_speed) const {
+auto ElasticaContact::constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
+                                    double angular_speed) const -> Constraint {
   const BladeVector<double> there = tip(at, slip, point);
   const BladeVector<double> rate = tip_rate(at, angular_speed);
-  TipForce force =
-      bent_tip_force(there, rate, angular_speed, blade_.load_unit * point.load, slip * blade_.friction);
+  TipForce force = bent_tip_force(there, rate, angular_speed, load_unit_ * point.load, slip * friction_);
   force.shortening = point.shortening;
   // (h/2) θ'(0) with EI θ'(0) = F Δ + μF (L − δ)
-  force.root_strain =
-      blade_.strain_unit * point.load * (point.deflection + blade_.friction * (1.0 - point.shortening));
+  force.root_strain = strain_unit_ * point.load * (point.deflection + friction_ * (1.0 - point.shortening));
   return {force, residual(at, slip, point), slope(at, slip, point), square_change(there, rate)};
 }
 
@@ -70,8 +68,10 @@ std::optional<double> ElasticaContact::solve_beyond_ring(const Pose& at, double 
   // h is negative at the unloaded blade, rises up to the fold and falls from there on.
   constexpr double kNextToUnloaded = 1e-6;  // of the first piece
   const auto& knots = curve_->knots();
+  // ∂h/∂u, which for μ > 0 passes zero at u = 0, too.
   const auto measure = [&](double bending) {
-    return fold_measure(bending, slope(at, slip, curve_at(bending)));
+    const double of_residual = slope(at, slip, curve_at(bending));
+    return friction_ > 0.0 ? of_residual / bending : of_residual;
   };
   double before = kNextToUnloaded * knots[1].bending;
   double at_before = measure(before);
@@ -193,7 +193,7 @@ bool ElasticaContact::stands_beyond_fold(const Pose& at, double slip, double ben
 
 auto ElasticaContact::incline(const Pose& at, double slip, const blade::CurvePoint& point) const -> Incline {
   const SlopeParts parts = slope_parts(at, slip, point);
-  const double unit = blade_.friction > 0.0 ? 1.0 / point.load_slope : 1.0;
+  const double unit = friction_ > 0.0 ? 1.0 / point.load_slope : 1.0;
   return {unit * parts.sum(),
           unit * (std::abs(parts.shortening) + std::abs(parts.deflection) + std::abs(parts.ring))};
 }
@@ -279,7 +279,7 @@ bool ElasticaContact::respond(const Pose& at, double slip, double angular_speed,
   if (!root) return false;
   bending = *root;
   force = constraint(mirrored, slip, bending, angular_speed).force;
-  if (beyond_end && blade_.friction > 0.0) {
+  if (beyond_end && friction_ > 0.0) {
     force.radial = -force.radial;
     force.tangential = -force.tangential;
     force.normal = -force.normal;

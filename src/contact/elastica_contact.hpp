@@ -27,6 +27,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "blade/elastica_curve.hpp"
 #include "contact/friction_law.hpp"
@@ -55,71 +56,73 @@ struct ElasticBlade {
   double bending_stiffness;  ///< EI = E b h³ / 12 [N m²]
 };
 
-/// A contact at one bending parameter, with the rates that carry it along h = 0.
-struct Constraint {
-  TipForce force;
-  double residual;       ///< h [m²]
-  double bending_slope;  ///< ∂h/∂u [m²]
-  double time_slope;     ///< dh/dτ at fixed u [m²]
-};
-
-/// What the contact equation takes of a blade and its ring.
-struct ElasticBladeInRing {
-  Geometry geometry;
-  double length;       ///< L [m]
-  double load_unit;    ///< EI / L² [N]
-  double strain_unit;  ///< h / (2 L) [-]
-  double friction;     ///< μ [-]
-  double yield_unit;   ///< EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not
-};
-
-class ElasticaContact {
+/// What the laws of elastic blades have in common: a blade and its ring.
+class ElasticBladeInRing {
  public:
   using Blade = ElasticBlade;
 
-  ElasticaContact(Geometry geometry, Blade blade, std::shared_ptr<const blade::ElasticaCurve> curve,
-                  Ring ring = {})
-      : blade_{geometry,
-               blade.length,
-               blade.bending_stiffness / (blade.length * blade.length),
-               0.5 * blade.thickness / blade.length,
-               curve->friction(),
-               blade.bending_stiffness / (blade.length * blade.length) / ring.stiffness},
+  ElasticBladeInRing(const Geometry& geometry, const Blade& blade)
+      : geometry_(geometry),
+        length_(blade.length),
+        load_unit_(blade.bending_stiffness / (blade.length * blade.length)),
+        strain_unit_(0.5 * blade.thickness / blade.length) {}
+
+  [[nodiscard]] const Geometry& geometry() const { return geometry_; }
+  [[nodiscard]] double length() const { return length_; }            ///< L [m]
+  [[nodiscard]] double load_unit() const { return load_unit_; }      ///< EI / L² [N]
+  [[nodiscard]] double strain_unit() const { return strain_unit_; }  ///< h / (2 L) [-]
+  /// The blade, shorter at its tip by `lost` [m].
+  [[nodiscard]] Blade blade(double lost = 0.0) const {
+    return {length_ - lost, 2.0 * strain_unit_ * length_, load_unit_ * length_ * length_};
+  }
+  /// How often equilibria have been evaluated for this law. A law belongs to one motion and one thread.
+  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+
+ protected:
+  Geometry geometry_;
+  double length_;
+  double load_unit_;
+  double strain_unit_;
+  mutable std::uint64_t evaluations_ = 0;  ///< what a motion cost, not what it is
+};
+
+class ElasticaContact : public ElasticBladeInRing {
+ public:
+  ElasticaContact(const Geometry& geometry, const Blade& blade,
+                  std::shared_ptr<const blade::ElasticaCurve> curve, Ring ring = {})
+      : ElasticBladeInRing(geometry, blade),
+        friction_(curve->friction()),
+        yield_unit_(load_unit_ / ring.stiffness),
         ring_(ring),
         axial_unit_(blade.length * curve->axial_compliance()),
-        has_branches_(axial_unit_ > 0.0 || blade_.yield_unit > 0.0),
-        may_stand_straight_(!(blade_.friction > 0.0) && has_branches_),
+        has_branches_(axial_unit_ > 0.0 || yield_unit_ > 0.0),
+        may_stand_straight_(!(friction_ > 0.0) && has_branches_),
         curve_(std::move(curve)) {
-    if (blade_.friction > 0.0) {
-      const double per_lateral = 3.0 / (blade_.friction * blade_.length);
+    if (friction_ > 0.0) {
+      const double per_lateral = 3.0 / (friction_ * length_);
       axial_relief_ = per_lateral * axial_unit_;
-      ring_relief_ = per_lateral * blade_.yield_unit * blade_.geometry.ring_radius;
+      ring_relief_ = per_lateral * yield_unit_ * geometry_.ring_radius;
     }
   }
 
-  [[nodiscard]] const Geometry& geometry() const { return blade_.geometry; }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return *curve_; }
-  [[nodiscard]] Friction friction() const { return Friction::coulomb(blade_.friction); }
-  [[nodiscard]] double length() const { return blade_.length; }            ///< L [m]
-  [[nodiscard]] double load_unit() const { return blade_.load_unit; }      ///< EI / L² [N]
-  [[nodiscard]] double strain_unit() const { return blade_.strain_unit; }  ///< h / (2 L) [-]
-  [[nodiscard]] double yield_unit() const { return blade_.yield_unit; }    ///< EI/(L² kr) [m]
+  [[nodiscard]] Friction friction() const { return Friction::coulomb(friction_); }
+  /// EI/(L² kr) [m]: yielding of the ring under F = EI/L²; 0 where it does not.
+  [[nodiscard]] double yield_unit() const { return yield_unit_; }
   [[nodiscard]] double axial_unit() const { return axial_unit_; }  ///< axial shortening under F = EI/L² [m]
   /// δ/Δ and (F/kr)/Δ of a blade that is hardly bent, where μ > 0 [-].
   [[nodiscard]] double first_shortening() const { return axial_relief_; }
-  [[nodiscard]] double first_yielding() const { return ring_relief_ / blade_.geometry.ring_radius; }
+  [[nodiscard]] double first_yielding() const { return ring_relief_ / geometry_.ring_radius; }
   /// The same blade, shorter at its tip by `lost` [m]. The curve stays, and with it the axial compliance
   /// relative to the length.
   [[nodiscard]] ElasticaContact shortened(double lost) const {
-    const Blade blade{blade_.length - lost, 2.0 * blade_.strain_unit * blade_.length,
-                      blade_.load_unit * blade_.length * blade_.length};
-    return {{blade_.geometry.reach - lost, blade_.geometry.ring_radius}, blade, curve_, ring_};
+    return {geometry_.shortened(lost), blade(lost), curve_, ring_};
   }
 
   /// The same blade in a ring of another radius [m], its evaluations not yet counted.
   [[nodiscard]] ElasticaContact in_ring(double radius) const {
     ElasticaContact other = *this;
-    other.blade_.geometry.ring_radius = radius;
+    other.geometry_.ring_radius = radius;
     other.evaluations_ = 0;
     return other;
   }
@@ -136,40 +139,39 @@ class ElasticaContact {
   /// Without compliance: the approaching side (MODEL 4.2).
   [[nodiscard]] bool starts_unloaded(const Pose& at, double slip) const {
     if (may_stand_straight_) return true;
-    return slip * at.tangential + (axial_relief_ * (at.radial + blade_.geometry.reach) + ring_relief_) >= 0.0;
+    return slip * at.tangential + (axial_relief_ * (at.radial + geometry_.reach) + ring_relief_) >= 0.0;
   }
   /// The same for an open contact, which may stand on another branch.
   [[nodiscard]] bool ends_unloaded(const Pose& at, double slip, double bending) const {
     return starts_unloaded(at, slip) && !(has_branches_ && stands_beyond_fold(at, slip, bending));
   }
 
-  using Constraint = contact::Constraint;
+  /// A contact at one bending parameter, with the rates that carry it along h = 0.
+  struct Constraint {
+    TipForce force;
+    double residual;       ///< h [m²]
+    double bending_slope;  ///< ∂h/∂u [m²]
+    double time_slope;     ///< dh/dτ at fixed u [m²]
+  };
 
   [[nodiscard]] Constraint constraint(const Pose& at, double slip, double bending,
                                       double angular_speed) const {
     return constraint_at(at, slip, curve_at(bending), angular_speed);
   }
 
-  /// ∂h/∂u as a function that changes its sign at the fold of the contact equation and nowhere else: negative
-  /// where the force follows the gap. For μ > 0 the curve is even, and ∂h/∂u passes zero at u = 0 too.
-  [[nodiscard]] double fold_measure(double bending, double bending_slope) const {
-    return blade_.friction > 0.0 ? bending_slope / bending : bending_slope;
-  }
-
   /// g/Δ [m] of a blade bent by u, as h = 0 has it. At the unloaded blade it is finite, and has the sign of
   /// `starts_unloaded`: it is zero where g is, but for u = 0.
   [[nodiscard]] double gap_per_deflection(const Pose& at, double slip, double bending) const {
     const blade::CurvePoint point = curve_at(bending);
-    const double shortening = blade_.length * point.shortening;
-    const double deflection = blade_.length * point.deflection;
+    const double shortening = length_ * point.shortening;
+    const double deflection = length_ * point.deflection;
     if (deflection == 0.0) {
-      return 2.0 *
-             (slip * at.tangential + axial_relief_ * (at.radial + blade_.geometry.reach) + ring_relief_);
+      return 2.0 * (slip * at.tangential + axial_relief_ * (at.radial + geometry_.reach) + ring_relief_);
     }
-    const double yielding = blade_.yield_unit * point.load;  // F/kr
+    const double yielding = yield_unit_ * point.load;  // F/kr
     return 2.0 * slip * at.tangential - deflection +
-           shortening / deflection * (2.0 * (at.radial + blade_.geometry.reach) - shortening) +
-           yielding / deflection * (2.0 * blade_.geometry.ring_radius + yielding);
+           shortening / deflection * (2.0 * (at.radial + geometry_.reach) - shortening) +
+           yielding / deflection * (2.0 * geometry_.ring_radius + yielding);
   }
 
   /// Root of h = 0 that an increase of the load from zero reaches first (MODEL 4.2), or none (MODEL 5).
@@ -198,9 +200,8 @@ class ElasticaContact {
   /// F L²/EI of a straight column whose tip lies on the ring: the smaller root of h = 0, which is quadratic
   /// in F at Δ = 0. At most the Euler load where the column is straight indeed.
   [[nodiscard]] double straight_load(const Pose& at) const {
-    const double linear =
-        (at.radial + blade_.geometry.reach) * axial_unit_ + blade_.geometry.ring_radius * blade_.yield_unit;
-    const double square = axial_unit_ * axial_unit_ - blade_.yield_unit * blade_.yield_unit;
+    const double linear = (at.radial + geometry_.reach) * axial_unit_ + geometry_.ring_radius * yield_unit_;
+    const double square = axial_unit_ * axial_unit_ - yield_unit_ * yield_unit_;
     return at.gap / (linear + std::sqrt(linear * linear - square * at.gap));
   }
   /// Its force, beyond the Euler load, too.
@@ -221,21 +222,19 @@ class ElasticaContact {
   /// h [m²] there. `point`: of the curve or one of its knots.
   template <class Point>
   [[nodiscard]] double residual(const Pose& at, double slip, const Point& point) const {
-    return contact_equation(at.gap, unbent_tip(geometry(), at), bent_by(slip, point)) -
-           widening(blade_.yield_unit * point.load, blade_.geometry.ring_radius);
+    return contact_equation(at.gap, unbent_tip(geometry_, at), bent_by(slip, point)) -
+           widening(yield_unit_ * point.load, geometry_.ring_radius);
   }
-  /// How often the curve has been evaluated for this law. A law belongs to one motion and one thread.
-  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
   /// (δ, s Δ) [m].
   template <class Point>
   [[nodiscard]] BladeVector<double> bent_by(double slip, const Point& point) const {
-    return {blade_.length * point.shortening, slip * blade_.length * point.deflection};
+    return {length_ * point.shortening, slip * length_ * point.deflection};
   }
   template <class Point>
   [[nodiscard]] BladeVector<double> tip(const Pose& at, double slip, const Point& point) const {
-    return unbent_tip(geometry(), at) - bent_by(slip, point);
+    return unbent_tip(geometry_, at) - bent_by(slip, point);
   }
   /// What ∂h/∂u has of the bend, and of the ring that yields [m²].
   struct SlopeParts {
@@ -245,11 +244,10 @@ class ElasticaContact {
   template <class Point>
   [[nodiscard]] SlopeParts slope_parts(const Pose& at, double slip, const Point& point) const {
     const BladeVector<double> there = tip(at, slip, point);
-    const double twice = -2.0 * blade_.length;
+    const double twice = -2.0 * length_;
     return {twice * there.along * point.shortening_slope,
             twice * slip * there.across * point.deflection_slope,
-            -2.0 * blade_.yield_unit * (blade_.geometry.ring_radius + blade_.yield_unit * point.load) *
-                point.load_slope};
+            -2.0 * yield_unit_ * (geometry_.ring_radius + yield_unit_ * point.load) * point.load_slope};
   }
   /// ∂h/∂u.
   template <class Point>
@@ -290,7 +288,7 @@ class ElasticaContact {
   [[nodiscard]] Branches branches(const Pose& at, double slip) const;
   /// dh/dF (dh/du for the column) as `Knot` has its slopes [m²].
   [[nodiscard]] double rise(const Pose& at, double slip, const blade::CurvePoint& point) const {
-    return blade_.friction > 0.0 ? slope(at, slip, point) / point.load_slope : slope(at, slip, point);
+    return friction_ > 0.0 ? slope(at, slip, point) / point.load_slope : slope(at, slip, point);
   }
   [[nodiscard]] std::optional<double> root_on(const Pose& at, double slip, const Branch& branch) const;
   [[nodiscard]] std::optional<double> solve_on_branches(const Pose& at, double slip) const;
@@ -302,7 +300,8 @@ class ElasticaContact {
   };
   [[nodiscard]] Incline incline(const Pose& at, double slip, const blade::CurvePoint& point) const;
 
-  ElasticBladeInRing blade_;
+  double friction_;    ///< μ [-]
+  double yield_unit_;  ///< 0 where the ring does not yield [m]
   Ring ring_;
   double axial_unit_;          ///< L ε [m]: axial shortening under F = EI/L²
   double axial_relief_ = 0.0;  ///< 3ε/μ [-]
@@ -310,7 +309,6 @@ class ElasticaContact {
   bool has_branches_;
   bool may_stand_straight_;
   std::shared_ptr<const blade::ElasticaCurve> curve_;
-  mutable std::uint64_t evaluations_ = 0;  ///< what a motion cost, not what it is
 };
 
 }  // namespace rubatlas::contact

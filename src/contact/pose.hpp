@@ -22,6 +22,8 @@ struct Geometry {
 
   /// (rh + L)² − R² [m²], as a product: R² and (rh+L)² agree in their leading digits.
   [[nodiscard]] double closing() const { return (reach - ring_radius) * (reach + ring_radius); }
+  /// Of the blade shorter at its tip by `lost` [m].
+  [[nodiscard]] Geometry shortened(double lost) const { return {reach - lost, ring_radius}; }
   /// g where a touch-down or a lift-off has been located [m²], `distance` of the shaft from the ring's
   /// centre: what rounding of the shaft's place and of the time leave of 2 (rh + L) cr.
   [[nodiscard]] double gap_rounding(double distance) const { return kGapRounding * ring_radius * distance; }

@@ -106,8 +106,7 @@ class ControlledStep {
   [[nodiscard]] double slope(double fraction, int component) {
     if (fraction == 0.0) return step_.size() * step_.start_derivative()[component];
     if (fraction == 1.0) return step_.size() * step_.end_derivative()[component];
-    return make_dense() ? step_.interpolate_with_slope(fraction, component).slope
-                        : std::numeric_limits<double>::quiet_NaN();
+    return make_dense() ? step_.slope(fraction, component) : std::numeric_limits<double>::quiet_NaN();
   }
 
   /// Moves the origin of a component.

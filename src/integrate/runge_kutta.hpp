@@ -101,33 +101,15 @@ class RungeKuttaStep {
     return start_ + fraction * value;
   }
 
-  /// One component of it.
-  [[nodiscard]] double interpolate(double fraction, int component) const {
-    return start_[component] + fraction * mean_slope(fraction, component);
-  }
-
-  /// One component and its derivative by θ.
-  struct ValueAndSlope {
-    double value;
-    double slope;
-  };
-  [[nodiscard]] ValueAndSlope interpolate_with_slope(double fraction, int component) const {
+  /// Derivative of one component by θ.
+  [[nodiscard]] double slope(double fraction, int component) const {
     double value = dense_[last_coefficient()][component];
     double slope = 0.0;
     for (std::size_t i = last_coefficient(); i-- > 0;) {
       slope = i % 2 != 0 ? value + fraction * slope : factor(i, fraction) * slope - value;
       value = dense_[i][component] + factor(i, fraction) * value;
     }
-    return {start_[component] + fraction * value, value + fraction * slope};
-  }
-
-  /// (component at θ − component at 0) / θ, finite at θ = 0.
-  [[nodiscard]] double mean_slope(double fraction, int component) const {
-    double value = dense_[last_coefficient()][component];
-    for (std::size_t i = last_coefficient(); i-- > 0;) {
-      value = dense_[i][component] + factor(i, fraction) * value;
-    }
-    return value;
+    return value + fraction * slope;
   }
 
   /// Moves one component of the step by a constant (a time whose origin moves).

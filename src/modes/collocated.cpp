@@ -4,10 +4,9 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "modes/contact_force.hpp"
-#include "modes/contact_phases.hpp"
 #include "modes/law.hpp"
-#include "modes/tip_of.hpp"
+#include "modes/phase.hpp"
+#include "modes/seen_tip.hpp"
 
 namespace rubatlas::modes {
 
@@ -37,8 +36,7 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
                                        const std::vector<OpenContact>& contacts) {
   using ending::StatusDetail;
   contacts_ = contacts;
-  start_ = state;
-  start_time_ = time;
+  start_ = {time, state};
   pending_ = false;
   most_bent_.assign(contacts.size(), std::nullopt);
   const std::uint64_t evaluations = law_->evaluations();
@@ -47,10 +45,7 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
   auto refusal = StatusDetail::none;
   for (std::size_t i = 0; i < contacts.size() && touching_.size() == i; ++i) {
     const OpenContact& open = contacts[i];
-    Point there;
-    there.time = time;
-    there.bodies = state;
-    const contact::Pose at = pose(open.blade, there);
+    const contact::Pose at = arc_.pose(open.blade, {.time = time, .bodies = state, .bending = {}});
     const collocation::Touch touch{.blade = open.blade,
                                    .slip = open.slip,
                                    .bending = open.bending,
@@ -125,7 +120,7 @@ ModeEnd Collocated::end_of_arc() const {
     case Reason::loosening:
       return {Guard::comes_loose, blade};
     case Reason::pressed_in:
-      if (law_->buckles_with_a_jump(arc_.touch_of(blade, arc_.end()), pose(blade, arc_.end())))
+      if (law_->buckles_with_a_jump(arc_.touch_of(blade, arc_.end()), arc_.pose(blade, arc_.end())))
         return {Guard::snap, blade};
       return {Guard::pressed_in, blade};
     case Reason::chart_end:
@@ -139,7 +134,7 @@ ModeEnd Collocated::end_of_arc() const {
       if (law_->has_branches(blade)) return {Guard::snap, blade};
       if (!law_->releases_at_fold(blade))
         return {Guard::left_validity, blade, ending::StatusDetail::no_equilibrium};
-      return {pose(blade, arc_.end()).gap < 0.0 ? Guard::lift_off : Guard::snap, blade};
+      return {arc_.pose(blade, arc_.end()).gap < 0.0 ? Guard::lift_off : Guard::snap, blade};
     default:
       return {Guard::lift_off, blade};
   }
@@ -152,7 +147,7 @@ void Collocated::shift_time(double period) {
 }
 
 Phase::End Collocated::where_it_ended() {
-  if (at_once_) return {start_time_, start_};
+  if (at_once_) return start_;
   return {arc_.end().time, arc_.end().bodies};
 }
 OpenContact Collocated::contact_in(std::size_t contact, const Point& point) const {
@@ -183,13 +178,6 @@ double Collocated::largest_displacement(double known, double /*speed_ratio*/) {
   return arc_.largest_displacement(piece_begin_, piece_end_, known);
 }
 
-contact::Pose Collocated::pose(int blade, const Point& point, const contact::BladeDirection& er) const {
-  return rotor::pose_of(*rotor_, law_->geometry(blade), er, rotor::from_ring(point.bodies));
-}
-contact::TipForce Collocated::force(std::size_t contact, const Point& point) const {
-  const int number = blade(contact);
-  return law_->force(arc_.touch_of(number, point), pose(number, point), blades_->angular_speed(point.time));
-}
 double Collocated::normal_force(std::size_t contact, double time) {
   return force(contact, arc_.solved_at(time)).normal;
 }
@@ -202,14 +190,14 @@ trajectory::ContactForce Collocated::contact_force(std::size_t contact, double t
 trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Point& point,
                                                    const contact::BladeDirection& er) const {
   const collocation::Touch touch = arc_.touch_of(blade(contact), point);
-  const contact::Pose at = pose(touch.blade, point, er);
+  const contact::Pose at = arc_.pose(touch.blade, point, er);
   const double speed = blades_->angular_speed(point.time);
   const contact::TipForce tip_force = law_->force(touch, at, speed);
   return modes::contact_force(tip_force, {touch.slip, law_->friction_coefficient(touch, at, tip_force)}, er,
                               at, speed);
 }
 trajectory::Tip Collocated::tip(int blade, const Point& point) const {
-  return tip_of(law_->geometry(blade), pose(blade, point), blades_->angular_speed(point.time));
+  return tip_of(law_->geometry(blade), arc_.pose(blade, point), blades_->angular_speed(point.time));
 }
 trajectory::Tip Collocated::tip(int blade, double time) {
   return tip(blade, arc_.solved_at(time));
@@ -309,12 +297,8 @@ void Collocated::path(double share, trajectory::PathPoint& point,
 
 /// Under an inclined load neither need follow the bending.
 Collocated::LargestLoad Collocated::largest_kept(trajectory::Load load, std::size_t contact, double known) {
-  using collocation::TipInTime;
   const bool of_force = load == trajectory::Load::normal_force;
-  const auto there = of_force ? arc_.most_loaded(blade(contact), &TipInTime::normal_force,
-                                                 &TipInTime::start_force, piece_begin_, piece_end_, known)
-                              : arc_.most_loaded(blade(contact), &TipInTime::root_strain,
-                                                 &TipInTime::start_strain, piece_begin_, piece_end_, known);
+  const auto there = arc_.most_loaded(blade(contact), of_force, piece_begin_, piece_end_, known);
   if (!there) return {piece_begin_, known};
   const contact::TipForce force_there = force(contact, *there);
   return {there->time, of_force ? force_there.normal : force_there.root_strain};

@@ -14,7 +14,7 @@
 
 #include "collocation/arc_law.hpp"
 #include "collocation/contact_arc.hpp"
-#include "modes/contact_limits.hpp"
+#include "modes/contact_setup.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/phase.hpp"
@@ -32,7 +32,6 @@ class Collocated final : public Phase {
              const ContactLimits& limits, WorkMeter& meter)
       : law_(std::move(law)),
         blades_(&machine.blades),
-        rotor_(&machine.constants),
         meter_(&meter),
         max_shortening_(limits.max_shortening),
         arc_(machine, *law_, limits.tolerance),
@@ -79,13 +78,6 @@ class Collocated final : public Phase {
 
  private:
   using Point = collocation::ContactArc::Point;
-  [[nodiscard]] contact::BladeDirection direction(int blade, double time) const {
-    return blades_->direction(blade, blades_->first(time));
-  }
-  [[nodiscard]] contact::Pose pose(int blade, const Point& point) const {
-    return pose(blade, point, direction(blade, point.time));
-  }
-  [[nodiscard]] contact::Pose pose(int blade, const Point& point, const contact::BladeDirection& er) const;
   [[nodiscard]] ModeEnd end_of_arc() const;
   /// The bends of a tip at rest are no coordinates of a path.
   [[nodiscard]] bool any_rests() const { return std::ranges::count(contacts_, 0.0, &OpenContact::slip) > 0; }
@@ -94,27 +86,27 @@ class Collocated final : public Phase {
   [[nodiscard]] bool is_whole() const {
     return piece_begin_ == arc_.start().time && piece_end_ == arc_.end().time;
   }
-  [[nodiscard]] contact::TipForce force(std::size_t contact, const Point& point) const;
+  [[nodiscard]] contact::TipForce force(std::size_t contact, const Point& point) const {
+    return arc_.force(arc_.touch_of(blade(contact), point), point);
+  }
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const Point& point) const;
   [[nodiscard]] LargestLoad largest_kept(trajectory::Load load, std::size_t contact, double known);
   [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, const Point& point) const {
-    return contact_force(contact, point, direction(blade(contact), point.time));
+    return contact_force(contact, point, arc_.direction(blade(contact), point.time));
   }
   [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, const Point& point,
                                                        const contact::BladeDirection& er) const;
 
   std::unique_ptr<collocation::ArcLaw> law_;
-  const rotor::RipplingBlades* blades_;
-  const rotor::RotorConstants* rotor_;
+  const rotor::BladeSet* blades_;
   WorkMeter* meter_;
   double max_shortening_;  ///< of δ/L
   collocation::ContactArc arc_;
   std::vector<OpenContact> contacts_;
   std::vector<collocation::Touch> touching_;  ///< where they began
-  rotor::ShaftAndRing start_ = rotor::ShaftAndRing::Zero();
-  double start_time_ = 0.0;
-  std::optional<ModeEnd> at_once_;  ///< one of the blades does not stand where they begin
-  bool pending_ = false;            ///< an interval has been made and not been recorded to its end
+  End start_{};                               ///< where they began
+  std::optional<ModeEnd> at_once_;            ///< one of the blades does not stand where they begin
+  bool pending_ = false;                      ///< an interval has been made and not been recorded to its end
   std::vector<trajectory::ContactForce> forces_at_node_;
   double piece_begin_ = 0.0;
   double piece_end_ = 0.0;

@@ -2,20 +2,25 @@
 
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
 namespace rubatlas::modes {
 
-ContactModes::ContactModes(const ModesRequest& request, std::unique_ptr<Law> law)
-    : law_(std::move(law)),
-      setup_{&request.machine, law_.get(), request.limits, &request.meter},
-      make_phases_(request.make_phases) {
+ContactModes::ContactModes(const rotor::Machine& machine, std::unique_ptr<Law> law,
+                           const ContactLimits& limits, WorkMeter& meter, MakePhases* make_phases)
+    : law_(std::move(law)), setup_{&machine, law_.get(), limits, &meter}, make_phases_(make_phases) {
   if (law_->may_skim(0)) skimming_judge_.emplace(setup_);
-  const int count = request.machine.blades.count();
   judge_ = law_->rest_judge(setup_);
-  if (auto law_of_rest = law_->law_of_rest(count)) tips_at_rest_.emplace(std::move(*law_of_rest), setup_);
-  if (request.machine.following_ring() != nullptr) ring_placer_.emplace(setup_);
+  const int count = machine.blades.count();
+  std::vector<contact::DirectedElastica> at_rest;
+  for (int k = 0; k < count; ++k) {
+    if (auto law_of_rest = law_->law_of_rest(k)) at_rest.push_back(std::move(*law_of_rest));
+  }
+  if (at_rest.size() == static_cast<std::size_t>(count))
+    tips_at_rest_.emplace(contact::UnequalBlades(std::move(at_rest)), setup_);
+  if (machine.following_ring() != nullptr) ring_placer_.emplace(setup_);
 }
 
 std::int64_t ContactModes::price_of_searches() {
@@ -32,16 +37,37 @@ bool ContactModes::begins_to_skim(const rotor::ContactState& state, const std::v
          skimming_judge_->begins(state, contacts, hop);
 }
 
-void ContactModes::set_out_from_rest(rotor::ShaftAndRing& state, double time, OpenContact contact) const {
-  const rotor::Machine& machine = *setup_.machine;
-  const contact::BladeDirection er = machine.blades.direction(contact.blade, machine.blades.first(time));
-  const TipPlace at{
-      rotor::pose_of(machine.constants, law_->geometry(contact.blade), er, rotor::from_ring(state)),
-      machine.blades.angular_speed(time)};
+bool ContactModes::let_go(const rotor::ContactState& state, std::vector<OpenContact>& contacts,
+                          std::size_t contact) {
+  if (!tips_at_rest_) return judge_ && judge_->let_go(state, contacts, contact);
+  OpenContact& loose = contacts[contact];
+  OpenContact there = under_law_of_rest(loose);
+  tips_at_rest_->judge.leave_rest(there, state);
+  loose = {loose.blade, there.slip, loose.bending, loose.bend};
+  return true;
+}
+
+bool ContactModes::comes_to_rest(const rotor::ContactState& state, OpenContact& contact) const {
+  if (!tips_at_rest_) return false;
+  OpenContact there = under_law_of_rest(contact);
+  if (!tips_at_rest_->judge.come_to_rest(there, state)) return false;
+  contact = there;
+  return true;
+}
+
+OpenContact ContactModes::under_law_of_rest(OpenContact contact) const {
+  if (law_->bends_in_u() && contact.slip != 0.0) contact.bend = {};
+  return contact;
+}
+
+void ContactModes::set_out_from_rest(rotor::ShaftAndRing& state, const TipPlace& at, double time,
+                                     OpenContact contact) const {
   contact::TipForce force{};
   if (!law_->respond(at, contact, force) || !(force.normal > 0.0)) return;
   if (!(contact.slip * force.slip_velocity < 0.0)) return;
   // The force is −F (n + c t), t = i n.
+  const rotor::BladeSet& blades = setup_.machine->blades;
+  const contact::BladeDirection er = blades.direction(contact.blade, blades.first(time));
   const double coefficient = law_->friction_coefficient(contact.blade, force, contact.slip);
   const std::complex<double> tangent =
       -contact::on_rotor(force, er) / (force.normal * std::complex<double>(coefficient, -1.0));

@@ -7,36 +7,27 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
+#include <utility>
 #include <vector>
 
-#include "modes/contact_limits.hpp"
-#include "modes/contact_phases.hpp"
 #include "modes/contact_setup.hpp"
-#include "modes/law.hpp"
+#include "modes/laws.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/phase.hpp"
-#include "modes/rest_judge.hpp"
+#include "modes/rest_of_elastic_blades.hpp"
 #include "modes/ring_placer.hpp"
 #include "modes/skimming_judge.hpp"
-#include "modes/tips_at_rest.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::modes {
 
-/// What the modes of a motion are made for.
-struct ModesRequest {
-  const rotor::Machine& machine;  ///< outlives the modes, as the meter does
-  ContactLimits limits;
-  WorkMeter& meter;
-  MakePhases* make_phases;
-};
-
 class ContactModes {
  public:
-  ContactModes(const ModesRequest& request, std::unique_ptr<Law> law);
+  /// Machine and meter outlive the modes.
+  ContactModes(const rotor::Machine& machine, std::unique_ptr<Law> law, const ContactLimits& limits,
+               WorkMeter& meter, MakePhases* make_phases);
   ContactModes(const ContactModes&) = delete;  // phases point at their law
   ContactModes& operator=(const ContactModes&) = delete;
 
@@ -44,7 +35,7 @@ class ContactModes {
 
   [[nodiscard]] ContactPhases& phases() { return made(phases_, setup_); }
   /// Those under the law of rest.
-  [[nodiscard]] ContactPhases& resting() { return made(resting_, tips_at_rest_->setup()); }
+  [[nodiscard]] ContactPhases& resting() { return made(resting_, tips_at_rest_->setup); }
   /// Calls `use` with each phase that has been asked for.
   template <class Use>
   void each_phase(Use use) const {
@@ -77,23 +68,16 @@ class ContactModes {
   bool arrest(const rotor::ContactState& state, std::vector<OpenContact>& contacts, std::size_t contact) {
     return judge_ && judge_->arrest(state, contacts, contact);
   }
-  bool let_go(const rotor::ContactState& state, std::vector<OpenContact>& contacts, std::size_t contact) {
-    if (!tips_at_rest_) return judge_ && judge_->let_go(state, contacts, contact);
-    tips_at_rest_->let_go(state, contacts[contact]);
-    return true;
-  }
+  bool let_go(const rotor::ContactState& state, std::vector<OpenContact>& contacts, std::size_t contact);
   /// The limit of slip reversals that accumulate: the tip comes to rest where friction can hold it. False,
   /// and nothing changed, where friction cannot hold it yet.
-  bool comes_to_rest(const rotor::ContactState& state, OpenContact& contact) {
-    return tips_at_rest_ && tips_at_rest_->comes_to_rest(state, contact);
-  }
-  /// Contacts in the unknowns of the law of tips at rest.
-  [[nodiscard]] std::vector<OpenContact> at_rest(const std::vector<OpenContact>& contacts) const {
-    return tips_at_rest_ ? tips_at_rest_->at_rest(contacts) : contacts;
-  }
+  bool comes_to_rest(const rotor::ContactState& state, OpenContact& contact) const;
+  /// A contact in the unknowns of the law of tips at rest.
+  [[nodiscard]] OpenContact under_law_of_rest(OpenContact contact) const;
   /// A tip that has come loose and slips against s, as its velocity errs by the tolerance, would slip back to
   /// where it was: puts the shaft's velocity where v = 0.
-  void set_out_from_rest(rotor::ShaftAndRing& state, double time, OpenContact contact) const;
+  void set_out_from_rest(rotor::ShaftAndRing& state, const TipPlace& at, double time,
+                         OpenContact contact) const;
   /// A contact under the law of tips at rest, as another motion takes it over: a tip at rest comes loose
   /// where the machine changes, and s becomes the side to which its blade is bent.
   void leave_law_of_rest(OpenContact& contact) const;
@@ -107,6 +91,17 @@ class ContactModes {
   }
 
  private:
+  /// Tips that always slip, and come to rest where their slip reversals accumulate, under another law.
+  struct TipsAtRest {
+    /// `slipping`: what the modes of the slipping tips are made from.
+    TipsAtRest(LawOfInclinedLoads::Blades blades, const ContactSetup& slipping)
+        : law(std::move(blades), false),
+          setup{slipping.machine, &law, slipping.limits, slipping.meter},
+          judge(setup) {}
+    LawOfInclinedLoads law;
+    ContactSetup setup;
+    RestOfElasticBlades judge;  ///< points at the law
+  };
   ContactPhases& made(std::unique_ptr<ContactPhases>& phases, const ContactSetup& setup) const {
     if (phases == nullptr) phases = make_phases_(setup);
     return *phases;
@@ -118,7 +113,7 @@ class ContactModes {
   MakePhases* make_phases_;
   std::unique_ptr<ContactPhases> phases_, resting_;  ///< once they are asked for
   std::unique_ptr<RestJudge> judge_;                 ///< of tips that stick
-  std::optional<TipsAtRest> tips_at_rest_;           ///< of those that rest because reversals accumulate
+  std::optional<TipsAtRest> tips_at_rest_;
   std::optional<SkimmingJudge> skimming_judge_;
   std::optional<RingPlacer> ring_placer_;  ///< of a ring without mass
 };

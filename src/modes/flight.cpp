@@ -46,7 +46,8 @@ void Flight::start(double time, const rotor::ShaftAndRing& bodies) {
   if (ring_ == nullptr) at_start_.tail<4>().setZero();
 }
 
-inline rotor::State Flight::shaft_after(double elapsed) const {
+rotor::State Flight::shaft(double time) const {
+  const double elapsed = time - start_;
   if (supported_ != nullptr)
     return supported_->support.state(start_, at_start_.head<4>().matrix(), elapsed).array();
   const Complex from(at_start_[0], at_start_[1]);
@@ -63,14 +64,9 @@ inline rotor::State Flight::shaft_after(double elapsed) const {
   return {position.real(), position.imag(), velocity.real(), velocity.imag()};
 }
 
-rotor::State Flight::shaft(double time) const {
-  return shaft_after(time - start_);
-}
-
 rotor::ShaftAndRing Flight::state(double time) const {
-  const double elapsed = time - start_;
-  rotor::ShaftAndRing bodies = rotor::shaft_and_ring(shaft_after(elapsed));
-  if (ring_ != nullptr) bodies.tail<4>() = ring_->free(rotor::ring(at_start_), elapsed);
+  rotor::ShaftAndRing bodies = rotor::shaft_and_ring(shaft(time));
+  if (ring_ != nullptr) bodies.tail<4>() = ring_->free(rotor::ring(at_start_), time - start_);
   return bodies;
 }
 
@@ -78,41 +74,29 @@ bool Flight::resolves(double time) const {
   return supported_ == nullptr || supported_->support.resolves(time);
 }
 
-/// `size`: a bound of the norm in question, of the steady response.
-template <class Size>
-double Flight::isotropic_bound(double time, const rotor::State& state, double horizon, Size size) const {
+/// Of |z|, and of |z'| or not.
+double Flight::shaft_bound(double time, const rotor::State& state, double horizon, bool of_velocity) const {
+  if (supported_ != nullptr) return supported_->bounds.amplitude_bound(time, state.matrix(), horizon);
   double result = std::sqrt(state.square().sum());
   if (harmonics_ != nullptr) {
     result += harmonics_->amplitude() * horizon;
     if (const auto steady = harmonics_->steady(time)) {
       const double distance = std::sqrt(std::norm(Complex(state[0], state[1]) - steady->position) +
                                         std::norm(Complex(state[2], state[3]) - steady->velocity));
-      result = std::min(result, distance + size(*steady));
+      const double largest = steady->largest_square + (of_velocity ? steady->largest_velocity_square : 0.0);
+      result = std::min(result, distance + std::sqrt(largest));
     }
   }
   return result;
 }
 
 FlightBound Flight::bound(double time, const rotor::ShaftAndRing& bodies, double horizon) const {
-  FlightBound result{0.0};
-  if (supported_ != nullptr) {
-    result.shaft = supported_->bounds.amplitude_bound(time, bodies.head<4>().matrix(), horizon);
-  } else {
-    result.shaft = isotropic_bound(time, rotor::shaft(bodies), horizon, [](const rotor::Steady& steady) {
-      return std::sqrt(steady.largest_square + steady.largest_velocity_square);
-    });
-  }
+  FlightBound result{shaft_bound(time, rotor::shaft(bodies), horizon, true)};
   if (ring_ != nullptr) {
     result.ring_velocity = ring_->energy_norm(rotor::ring(bodies));
     result.ring_position = result.ring_velocity / ring_->frequency();
   }
   return result;
-}
-
-double Flight::displacement_bound(double time, const rotor::State& shaft, double horizon) const {
-  if (supported_ != nullptr) return supported_->bounds.amplitude_bound(time, shaft.matrix(), horizon);
-  return isotropic_bound(time, shaft, horizon,
-                         [](const rotor::Steady& steady) { return std::sqrt(steady.largest_square); });
 }
 
 double Flight::bound_from_ring(double time, const rotor::ShaftAndRing& bodies, double horizon) const {
@@ -125,12 +109,18 @@ double Flight::time_of_bound() const {
   return supported_ != nullptr ? supported_->bounds.growth_time() : std::numeric_limits<double>::infinity();
 }
 
-DerivativeBounds Flight::derivative_bounds_of_any(const FlightBound& bound) const {
-  DerivativeBounds result = isotropic_derivative_bounds(bound.shaft);
+DerivativeBounds Flight::derivative_bounds(const FlightBound& bound) const {
+  DerivativeBounds result{};
   if (supported_ != nullptr) {
     const rotor::SupportBounds& bounds = supported_->bounds;
     result = {bounds.second_bound(bound.shaft), bounds.third_bound(bound.shaft),
               bounds.fourth_bound(bound.shaft)};
+  } else {
+    // z'' is written with z, z' and the forcing, then each derivative with the two before it.
+    const double damping = 2.0 * free_.damping_ratio();
+    const double second = second_slope_ * bound.shaft + forcing_;
+    const double third = damping * second + bound.shaft + forcing_rate_;
+    result = {second, third, damping * third + second + forcing_rate_of_rate_};
   }
   if (ring_ != nullptr) {
     result.second += ring_->second_bound(bound.ring_velocity);
@@ -162,12 +152,12 @@ void Flight::places(const trajectory::SampleTimes& times, int first, std::span<d
   std::size_t done = 1;
   for (int rows = 1; done < x.size(); ++rows) {
     row.start(times[number], at);
-    const std::size_t count = std::min<std::size_t>(StateRow::kTimes, x.size() - done);
+    const std::size_t count = std::min<std::size_t>(kTimesOfRow, x.size() - done);
     std::copy_n(row.states()[0].data(), count, &x[done]);
     if (!y.empty()) std::copy_n(row.states()[1].data(), count, &y[done]);
     done += count;
     number += static_cast<int>(count);
-    at = rows % kRowsFromClosedForm == 0 ? shaft(times[number]) : row.state(StateRow::kTimes - 1);
+    at = rows % kRowsFromClosedForm == 0 ? shaft(times[number]) : row.state(kTimesOfRow - 1);
   }
 }
 
@@ -187,7 +177,7 @@ double Flight::largest_displacement(double begin, double end, double known) cons
     if (!(bound * bound > largest)) break;
     row.start(time, at);
     const double row_begin = time;
-    for (int i = 0; i < StateRow::kTimes && time < end; ++i) {
+    for (int i = 0; i < kTimesOfRow && time < end; ++i) {
       const double next = std::min(row_begin + (i + 1) * spacing, end);
       const rotor::State there = next < end ? row.state(i) : shaft(end);
       const double rate_there = distance_rate(there);

@@ -59,17 +59,16 @@ class Flight {
   /// time at most; and that of the distance to the steady response does not grow at all.
   [[nodiscard]] FlightBound bound(double time, const rotor::ShaftAndRing& bodies, double horizon) const;
   /// The same of |z| alone, and of |z − r| [m].
-  [[nodiscard]] double displacement_bound(double time, const rotor::State& shaft, double horizon) const;
+  [[nodiscard]] double displacement_bound(double time, const rotor::State& shaft, double horizon) const {
+    return shaft_bound(time, shaft, horizon, false);
+  }
   [[nodiscard]] double bound_from_ring(double time, const rotor::ShaftAndRing& bodies, double horizon) const;
   /// The time over which a bound is to be asked for. Where free motion may grow, the bound is renewed after
   /// this time; else the time is infinite.
   [[nodiscard]] double time_of_bound() const;
 
   /// Of z − r while its bound holds.
-  [[nodiscard]] DerivativeBounds derivative_bounds(const FlightBound& bound) const {
-    if (supported_ != nullptr || ring_ != nullptr) return derivative_bounds_of_any(bound);
-    return isotropic_derivative_bounds(bound.shaft);
-  }
+  [[nodiscard]] DerivativeBounds derivative_bounds(const FlightBound& bound) const;
   /// Bound of the forcing's acceleration [m per unit τ²].
   [[nodiscard]] double forcing_bound() const { return forcing_; }
 
@@ -83,18 +82,8 @@ class Flight {
   [[nodiscard]] double largest_displacement(double begin, double end, double known) const;
 
  private:
-  [[nodiscard]] rotor::State shaft_after(double elapsed) const;
-  /// z'' is written with z, z' and the forcing, then each derivative with the two before it.
-  [[nodiscard]] DerivativeBounds isotropic_derivative_bounds(double bound) const {
-    const double damping = 2.0 * free_.damping_ratio();
-    const double second = second_slope_ * bound + forcing_;
-    const double third = damping * second + bound + forcing_rate_;
-    return {second, third, damping * third + second + forcing_rate_of_rate_};
-  }
-  [[nodiscard]] DerivativeBounds derivative_bounds_of_any(const FlightBound& bound) const;
-  template <class Size>
-  [[nodiscard]] double isotropic_bound(double time, const rotor::State& state, double horizon,
-                                       Size size) const;
+  [[nodiscard]] double shaft_bound(double time, const rotor::State& state, double horizon,
+                                   bool of_velocity) const;
   StateRow& row_of(std::optional<StateRow>& row, double spacing) const;
   [[nodiscard]] double top_between(double from, double to, double rate_from, double rate_to) const;
 

@@ -14,16 +14,44 @@
 
 #include "contact/pose.hpp"
 #include "modes/state_row.hpp"
-#include "modes/turn_row.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
+#include "rotor/blade_set.hpp"
 
 namespace rubatlas::modes {
 
+/// How the hub turns until eight equally spaced times.
+class TurnRow {
+ public:
+  /// `blades` outlive the row. `spacing`: between two times [τ].
+  TurnRow(const rotor::BladeSet& blades, double spacing);
+
+  /// Moves the row to a time τ of the revolution, which its eight times follow.
+  void start(double time) {
+    if (blades_->ripples()) start_in_ripple(time);
+  }
+
+  /// Of the angle by which the hub turns from the start of the row.
+  [[nodiscard]] const RowValues& cosine() const { return cosine_; }
+  [[nodiscard]] const RowValues& sine() const { return sine_; }
+  /// φ' at the start of the row, and at its times [per unit τ].
+  [[nodiscard]] double speed_at_start() const { return speed_at_start_; }
+  [[nodiscard]] const RowValues& speed() const { return speed_; }
+
+ private:
+  void start_in_ripple(double time);
+
+  const rotor::BladeSet* blades_;
+  RowValues mean_cosine_, mean_sine_;      ///< of the angle at the mean speed
+  RowValues ripple_cosine_, ripple_sine_;  ///< of the angle by which the ripple goes on
+  RowValues cosine_, sine_;
+  double speed_at_start_;
+  RowValues speed_;
+};
+
 class FlightRow {
  public:
-  static constexpr int kTimes = StateRow::kTimes;
-  using Values = StateRow::Values;
+  static constexpr int kTimes = kTimesOfRow;
 
   /// `machine` outlives the row. `spacing`: h [τ].
   FlightRow(const rotor::Machine& machine, double spacing);
@@ -37,15 +65,15 @@ class FlightRow {
   struct Gaps {
     double before;
     double rate_before;
-    Values gap;
-    Values rate;
+    RowValues gap;
+    RowValues rate;
   };
   /// `er`: direction of the blade at the start of the row.
   [[nodiscard]] Gaps gaps(const contact::Geometry& geometry, const contact::BladeDirection& er) const {
     const contact::Pose at_start =
         contact::pose(geometry, er, start_[0], start_[1] + misalignment_, start_[2], start_[3]);
-    const Values cosine = er.cosine * turn_.cosine() - er.sine * turn_.sine();
-    const Values sine = er.sine * turn_.cosine() + er.cosine * turn_.sine();
+    const RowValues cosine = er.cosine * turn_.cosine() - er.sine * turn_.sine();
+    const RowValues sine = er.sine * turn_.cosine() + er.cosine * turn_.sine();
     const double reach = 2.0 * geometry.reach;
     const auto& [x, y, vx, vy] = seen_;
     return {at_start.gap, contact::gap_rate(geometry, at_start, turn_.speed_at_start()),
@@ -60,9 +88,9 @@ class FlightRow {
     const double remainder = remainder_ + rounding;
     const double third = spacing() / 3.0;
     // The inner Bernstein coefficients: before a time, and, of the next interval, behind it.
-    const Values rise = third * gaps.rate;
-    const Values before = gaps.gap - rise;
-    const Values behind = gaps.gap + rise;
+    const RowValues rise = third * gaps.rate;
+    const RowValues before = gaps.gap - rise;
+    const RowValues behind = gaps.gap + rise;
     // The tip of a blade that has just lifted off starts at the ring, up to rounding.
     double first = std::min(gaps.before, 0.0) + third * gaps.rate_before;
     const double highest = before.max(behind).maxCoeff();
@@ -116,8 +144,8 @@ class FlightRow {
   std::optional<Ring> ring_;
   TurnRow turn_;
   rotor::State start_ = rotor::State::Zero();
-  StateRow::OfState seen_;       ///< c and c', of the shaft as seen from the ring
-  Values square_, square_rate_;  ///< |c|² and its derivative
+  StateRow::OfState seen_;          ///< c and c', of the shaft as seen from the ring
+  RowValues square_, square_rate_;  ///< |c|² and its derivative
   double remainder_ = 0.0;
 };
 

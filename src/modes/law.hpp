@@ -1,5 +1,5 @@
 /// A law of contact as the modes know it: what a blade does where it stands, and what becomes of its contact
-/// at a reset. Each kind of law implements this interface once (`law_of_<kind>.hpp`); it does not override
+/// at a reset. Each kind of law implements this interface once (`laws.hpp`); it does not override
 /// what cannot occur under it.
 #pragma once
 
@@ -114,9 +114,9 @@ class Law {
   // Where slip reversals accumulate (MODEL 4.4):
   /// Whether the model says what follows there.
   [[nodiscard]] virtual bool knows_rest() const { return true; }
-  /// The law of the tips that then rest, if it is another one.
-  [[nodiscard]] virtual std::optional<contact::UnequalBlades<contact::DirectedElastica>> law_of_rest(
-      int /*blade_count*/) const {
+  /// The law of a blade whose tip then rests, held by a friction coefficient within [−μ, μ], if it is another
+  /// one. A tip that slips has the same force under both.
+  [[nodiscard]] virtual std::optional<contact::DirectedElastica> law_of_rest(int /*blade*/) const {
     return std::nullopt;
   }
   /// While a tip slips its blade has the unknown u, and κ and φ of that law are to be found anew.

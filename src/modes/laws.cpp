@@ -1,5 +1,7 @@
 // The laws of contact: their arcs, and the resets of one contact.
 
+#include "modes/laws.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -9,10 +11,6 @@
 #include "collocation/damped_law.hpp"
 #include "collocation/inclined_law.hpp"
 #include "collocation/rigid_law.hpp"
-#include "modes/law_of_axial_loads.hpp"
-#include "modes/law_of_damped_ring.hpp"
-#include "modes/law_of_inclined_loads.hpp"
-#include "modes/law_of_rigid_blades.hpp"
 #include "modes/rest_of_elastic_blades.hpp"
 #include "modes/rest_of_rigid_blades.hpp"
 
@@ -82,6 +80,13 @@ std::unique_ptr<RestJudge> LawOfInclinedLoads::rest_judge(const ContactSetup& se
   return kind().sticks ? std::make_unique<RestOfElasticBlades>(setup) : nullptr;
 }
 
+/// None where friction depends on the slip velocity, or tips stick anyway.
+std::optional<contact::DirectedElastica> LawOfInclinedLoads::law_of_rest(int blade) const {
+  const contact::Friction& friction = of(blade).friction();
+  if (friction.depends_on_velocity() || friction.sticks) return std::nullopt;
+  return of(blade).with_friction(contact::Friction::sticking(friction.friction, friction.friction));
+}
+
 Standing LawOfInclinedLoads::snap(const TipPlace& at, OpenContact& contact) const {
   constexpr double kSame = 1e-3;  // of κ: a root so close to the fold is the one that ends there
   const auto& blade = of(contact.blade);
@@ -103,6 +108,17 @@ std::unique_ptr<ArcLaw> LawOfAxialLoads::arcs(const rotor::Machine& machine, dou
     if (!has_table(of(k).curve(), max_shortening)) return nullptr;
   }
   return std::make_unique<collocation::AxialLaw>(blades(), max_shortening);
+}
+
+/// None for small slopes, and where axial compliance or a ring that yields gives way besides: there the place
+/// of the tip is not a function of κ and φ. Nor for blades that are released at the fold.
+std::optional<contact::DirectedElastica> LawOfAxialLoads::law_of_rest(int blade) const {
+  const contact::ElasticaContact& law = of(blade);
+  if (law.curve().theory() != blade::Theory::elastica || law.has_branches() || law.releases_at_fold())
+    return std::nullopt;
+  const double friction = law.curve().friction();
+  return contact::DirectedElastica(contact::LoadDirection::axial, law.geometry(), law.blade(),
+                                   contact::Friction::sticking(friction, friction));
 }
 
 bool LawOfAxialLoads::open(const TipPlace& at, OpenContact& contact) const {

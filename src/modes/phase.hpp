@@ -1,11 +1,15 @@
-/// One phase in contact: the motion in one mode, from a reset to the next guard.
+/// One phase in contact: the motion in one mode, from a reset to the next guard. Who makes the phases of a
+/// motion.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "ending/status.hpp"
+#include "modes/contact_setup.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/open_contact.hpp"
 #include "rotor/bodies.hpp"
@@ -54,5 +58,25 @@ class Phase : public trajectory::MotionPiece {
   [[nodiscard]] virtual std::uint64_t steps() const = 0;
   [[nodiscard]] virtual std::uint64_t rejected() const = 0;
 };
+
+/// The phases of a motion under one law.
+class ContactPhases {
+ public:
+  ContactPhases() = default;
+  ContactPhases(const ContactPhases&) = delete;
+  ContactPhases& operator=(const ContactPhases&) = delete;
+  virtual ~ContactPhases() = default;
+
+  /// The one for contacts that slip, rest or skim like these.
+  [[nodiscard]] virtual Phase& of(const std::vector<OpenContact>& contacts) = 0;
+  /// Calls `use` with each phase that has been asked for.
+  virtual void each(const std::function<void(const Phase&)>& use) const = 0;
+};
+
+/// What the setup points at outlives the phases.
+using MakePhases = std::unique_ptr<ContactPhases>(const ContactSetup&);
+/// By collocation (`Collocated`), which has one phase for all contacts. The law has arcs (`Law::arcs`);
+/// throws `std::logic_error` where it has none.
+MakePhases phases_on_arcs;
 
 }  // namespace rubatlas::modes

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "contact/friction_law.hpp"
 #include "contact/sticking_elastica.hpp"
 #include "contact/tip.hpp"
-#include "modes/law_of_inclined_loads.hpp"
+#include "modes/laws.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
@@ -24,26 +25,25 @@ const contact::DirectedElastica& RestOfElasticBlades::of(int blade) const {
 }
 
 bool RestOfElasticBlades::settle(const State& state, std::vector<OpenContact>& contacts, const Tell& tell) {
-  for (OpenContact& contact : contacts) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    OpenContact& contact = contacts[i];
     if (contact.slip == 0.0) {
       if (rests(contact, state)) continue;
-      if (!let_go(contact, state)) return false;
+      if (!let_go(state, contacts, i)) return false;
       tell(contact);
     } else if (contact.bend.modulus == 0.0 && !opens_unbent(contact, state) && may_rest(contact, state)) {
       OpenContact bent = contact;
       if (forward(bent, contact.slip, state) >= -slip_rounding(state)) continue;
-      if (!arrest(contact = bent, state)) return false;
+      contact = bent;
+      if (!arrest(state, contacts, i)) return false;
     }
   }
   return true;
 }
 
 bool RestOfElasticBlades::come_to_rest(OpenContact& contact, const State& state) const {
-  OpenContact there = contact;
-  forward(there, contact.slip, state);
-  if (!rests(there, state)) return false;
-  contact = there;
-  return true;
+  forward(contact, contact.slip, state);
+  return rests(contact, state);
 }
 
 /// The direction in which a tip slips that rests no longer: that of the pull at the edge of the cone; where
@@ -107,25 +107,25 @@ double RestOfElasticBlades::forward(OpenContact& contact, double slip, const Sta
   return stands ? slip * force.slip_velocity : -std::numeric_limits<double>::infinity();
 }
 
-bool RestOfElasticBlades::arrest(OpenContact& contact, const State& state) const {
-  OpenContact there = contact;
-  forward(there, contact.slip, state);
-  if (!rests(there, state)) {
+bool RestOfElasticBlades::arrest(const State& state, std::vector<OpenContact>& contacts,
+                                 std::size_t contact) {
+  OpenContact there = contacts[contact];
+  const double slip = there.slip;
+  if (!come_to_rest(there, state)) {
     // v that has been located as zero has any sign, the more so where friction hardly moves the tip.
-    const bool slips = forward(there, -contact.slip, state) >= -slip_rounding(state);
+    const bool slips = forward(there, -slip, state) >= -slip_rounding(state);
     // Neither direction slips as it should: v may be zero next to the other one.
     if (!slips && !rests(there, state)) return false;
   }
-  contact = there;
+  contacts[contact] = there;
   return true;
 }
 
-/// A tip that rests no longer slips. Where neither direction is that of its v it has been let go a little
-/// early, and rests on; false, and nothing changed, where it does not.
-bool RestOfElasticBlades::let_go(OpenContact& contact, const State& state) const {
-  OpenContact there = contact;
-  if (leave_rest(there, state) < -slip_rounding(state)) return rests(contact, state);
-  contact = there;
+bool RestOfElasticBlades::let_go(const State& state, std::vector<OpenContact>& contacts,
+                                 std::size_t contact) {
+  OpenContact there = contacts[contact];
+  if (leave_rest(there, state) < -slip_rounding(state)) return rests(contacts[contact], state);
+  contacts[contact] = there;
   return true;
 }
 

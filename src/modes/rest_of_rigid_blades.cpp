@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "modes/law_of_rigid_blades.hpp"
+#include "modes/laws.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
@@ -69,8 +69,7 @@ RestOfRigidBlades::Balance RestOfRigidBlades::balance(const State& state, Contac
   std::complex<double> force;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Slipping at = slipping(contacts[i], state);
-    force += std::complex<double>(at.force.radial, at.force.tangential) *
-             std::complex<double>(at.direction.cosine, at.direction.sine);
+    force += contact::on_rotor(at.force, at.direction);
     if (contacts[i].slip == 0.0) result.at_rest[result.count++] = at_rest(contacts, i, at);
   }
   result.acceleration = machine().acceleration(state, force).shaft;

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "contact/tip.hpp"
-#include "modes/law_of_rigid_blades.hpp"
+#include "modes/laws.hpp"
 #include "rotor/ring_balance.hpp"
 
 namespace rubatlas::modes {

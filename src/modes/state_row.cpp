@@ -16,7 +16,7 @@ StateRow::StateRow(const rotor::Machine& machine, double spacing)
     for (const rotor::Harmonic& term : harmonics->terms()) {
       Response& response = responses_.emplace_back();
       response.frequency = term.frequency();
-      for (int i = 0; i < kTimes; ++i) {
+      for (int i = 0; i < kTimesOfRow; ++i) {
         const double elapsed = (i + 1) * spacing_;
         const auto from_rest = term.from_rest(0.0, elapsed, free, free.kernel(elapsed));
         response.along[0][i] = from_rest.position.real();
@@ -31,7 +31,7 @@ StateRow::StateRow(const rotor::Machine& machine, double spacing)
   const rotor::LinearSupport& support = machine.supported()->support;
   supported_.resize(4);
   responses_.resize(support.terms().size());
-  for (int i = 0; i < kTimes; ++i) {
+  for (int i = 0; i < kTimesOfRow; ++i) {
     const rotor::LinearSupport::Propagator over = support.propagator((i + 1) * spacing_);
     for (std::size_t from = 0; from < 4; ++from) {
       for (std::size_t to = 0; to < 4; ++to)

@@ -41,9 +41,6 @@ class FreeRow {
 /// The shaft.
 class StateRow {
  public:
-  static constexpr int kTimes = kTimesOfRow;
-  using Values = RowValues;
-
   /// `spacing`: between two times [τ].
   StateRow(const rotor::Machine& machine, double spacing);
 
@@ -53,7 +50,7 @@ class StateRow {
   /// spacings.
   void start(double time, const rotor::State& state);
 
-  using OfState = std::array<Values, 4>;  ///< of x, y [m], x', y' [m per unit τ]
+  using OfState = std::array<RowValues, 4>;  ///< of x, y [m], x', y' [m per unit τ]
   [[nodiscard]] const OfState& states() const { return states_; }
   [[nodiscard]] rotor::State state(int i) const {
     return {states_[0][i], states_[1][i], states_[2][i], states_[3][i]};

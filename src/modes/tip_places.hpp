@@ -19,7 +19,7 @@ class TipPlaces {
 
   [[nodiscard]] const rotor::Machine& machine() const { return *machine_; }
   [[nodiscard]] const rotor::RotorConstants& rotor() const { return machine_->constants; }
-  [[nodiscard]] const rotor::RipplingBlades& blades() const { return machine_->blades; }
+  [[nodiscard]] const rotor::BladeSet& blades() const { return machine_->blades; }
   [[nodiscard]] double ring_radius() const { return law_->geometry(0).ring_radius; }
   /// |v| of a slip reversal that has been located [m per unit τ].
   template <class State>

@@ -8,7 +8,7 @@
 
 #include "integrate/conservative_step.hpp"
 #include "integrate/newton_between.hpp"
-#include "modes/tip_of.hpp"
+#include "modes/seen_tip.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 #include "rotor/skimming.hpp"
@@ -70,15 +70,6 @@ TouchdownSearch::TouchdownSearch(const rotor::Machine& machine, std::vector<cont
   }
 }
 
-std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(const Flight& flight, double until,
-                                                                WorkMeter& meter) {
-  const double from = flight.start_time();
-  const rotor::ShaftAndRing& bodies = flight.at_start();
-  // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
-  if (stays_clear(flight, from, bodies, until - from)) return std::nullopt;
-  return in_rows(flight, bodies, until, meter);
-}
-
 std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find_by_steps(const Flight& flight, double until,
                                                                          WorkMeter& meter) {
   const double from = flight.start_time();
@@ -105,18 +96,6 @@ std::optional<double> TouchdownSearch::shaft_at_ring(const Flight& flight, doubl
     bodies = flight.state(time);
   }
   return std::nullopt;
-}
-
-bool TouchdownSearch::stays_clear(const Flight& flight, double time, const rotor::ShaftAndRing& bodies,
-                                  double horizon) const {
-  return flight.bound_from_ring(time, bodies, horizon) + std::abs(machine_->constants.misalignment) <=
-         least_clearance_;
-}
-
-FlightRow& TouchdownSearch::row(std::size_t number, double spacing) {
-  std::unique_ptr<FlightRow>& row = rows_by_spacing_[number];
-  if (!row) row = std::make_unique<FlightRow>(*machine_, spacing);
-  return *row;
 }
 
 /// Bound of |g'''|, g = |c|² + 2(rh+L) Re(c e^{−iφ}) + a constant.
@@ -167,16 +146,22 @@ TouchdownSearch::Outlook TouchdownSearch::outlook(const Flight& flight, double t
   std::size_t number = 0;
   double spacing = first_spacing_;
   for (; number + 1 < kSpacings && !suits(spacing); ++number) spacing *= 0.5;
-  return {in_pieces ? time + renewed : until, fourth, &row(number, spacing), number > 0};
+  std::unique_ptr<FlightRow>& row = rows_by_spacing_[number];
+  if (!row) row = std::make_unique<FlightRow>(*machine_, spacing);
+  return {in_pieces ? time + renewed : until, fourth, row.get(), number > 0};
 }
 
 /// In rows of times, and in steps only where a row leaves a doubt.
-std::optional<TouchdownSearch::Touchdown> TouchdownSearch::in_rows(const Flight& flight,
-                                                                   rotor::ShaftAndRing bodies, double until,
-                                                                   WorkMeter& meter) {
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(const Flight& flight, double until,
+                                                                WorkMeter& meter) {
+  double time = flight.start_time();
+  rotor::ShaftAndRing bodies = flight.at_start();
+  // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
+  if (flight.bound_from_ring(time, bodies, until - time) + std::abs(machine_->constants.misalignment) <=
+      least_clearance_)
+    return std::nullopt;
   const int count = static_cast<int>(blades_.size());
   const std::int64_t price = price_of_row(flight);
-  double time = flight.start_time();
   forget_rows(bodies);
   Outlook ahead = outlook(flight, time, bodies, until, false);
   const bool dear = states_are_dear(*machine_);
@@ -250,7 +235,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::only_touch(const Flig
 std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(const Flight& flight, double time,
                                                                     rotor::ShaftAndRing bodies, double until,
                                                                     WorkMeter& meter) {
-  const rotor::RipplingBlades& blades = machine_->blades;
+  const rotor::BladeSet& blades = machine_->blades;
   contact::BladeDirection first = blades.first(time);
   while (true) {
     std::size_t blade = 0;
@@ -274,7 +259,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(const Flight
 }
 
 contact::Pose TouchdownSearch::pose(int blade, double time, const rotor::ShaftAndRing& bodies) const {
-  const rotor::RipplingBlades& blades = machine_->blades;
+  const rotor::BladeSet& blades = machine_->blades;
   return rotor::pose_of(machine_->constants, geometry(blade), blades.direction(blade, blades.first(time)),
                         rotor::from_ring(bodies));
 }
@@ -293,7 +278,7 @@ FlightRow::Gaps TouchdownSearch::gaps_of(const FlightRow& row, int blade,
 double TouchdownSearch::clear_step(const Flight& flight, const contact::Geometry& geometry,
                                    const contact::BladeDirection& er, double time,
                                    const rotor::ShaftAndRing& bodies, double until) const {
-  const rotor::RipplingBlades& blades = machine_->blades;
+  const rotor::BladeSet& blades = machine_->blades;
   const rotor::State seen = rotor::from_ring(bodies);
   const double turning = blades.angular_speed(time);
   const double reach = geometry.reach;
@@ -316,7 +301,7 @@ double TouchdownSearch::clear_step(const Flight& flight, const contact::Geometry
 }
 
 /// With f = −iφ: (e^f)' = f' e^f, and so on.
-TouchdownSearch::TurningBounds TouchdownSearch::turning_bounds(const rotor::RipplingBlades& blades) {
+TouchdownSearch::TurningBounds TouchdownSearch::turning_bounds(const rotor::BladeSet& blades) {
   const double speed = blades.speed_bound();
   const double change = blades.angular_acceleration_bound();
   const double jerk = blades.angular_jerk_bound();

@@ -66,7 +66,7 @@ class TouchdownSearch {
     double third;
     double fourth;
   };
-  static TurningBounds turning_bounds(const rotor::RipplingBlades& blades);
+  static TurningBounds turning_bounds(const rotor::BladeSet& blades);
 
   /// Rows of half the spacing of the ones before: the shaft on a stiff support or a ring on a stiff spring
   /// moves too fast for the first.
@@ -83,10 +83,6 @@ class TouchdownSearch {
   /// `shows_passes`: the cubics of the rows show where tips pass, besides what may touch.
   [[nodiscard]] Outlook outlook(const Flight& flight, double time, const rotor::ShaftAndRing& bodies,
                                 double until, bool shows_passes);
-  FlightRow& row(std::size_t number, double spacing);
-
-  std::optional<Touchdown> in_rows(const Flight& flight, rotor::ShaftAndRing bodies, double until,
-                                   WorkMeter& meter);
   std::optional<Touchdown> only_touch(const Flight& flight, const FlightRow& row, int interval, double time,
                                       const contact::BladeDirection& first, WorkMeter& meter);
   std::optional<Touchdown> by_steps(const Flight& flight, double time, rotor::ShaftAndRing bodies,
@@ -128,8 +124,6 @@ class TouchdownSearch {
   [[nodiscard]] std::optional<trajectory::Pass> pass_at(const Flight& flight, int blade, double time,
                                                         double known) const;
 
-  [[nodiscard]] bool stays_clear(const Flight& flight, double time, const rotor::ShaftAndRing& bodies,
-                                 double horizon) const;
   [[nodiscard]] double clear_step(const Flight& flight, const contact::Geometry& geometry,
                                   const contact::BladeDirection& er, double time,
                                   const rotor::ShaftAndRing& bodies, double until) const;

@@ -90,12 +90,10 @@ double TouchdownSearch::look_along(const Flight& flight, double begin, double en
 
 /// Whether a gap may rise and fall again within one of the row's intervals (`integrate::cubic_may_peak`).
 bool TouchdownSearch::may_have_top(const FlightRow::Gaps& gaps, double spacing) {
-  using Values = FlightRow::Values;
-  Values gap_before;
-  Values rise;
+  RowValues gap_before, rise;
   gap_before << gaps.before, gaps.gap.head(FlightRow::kTimes - 1);
   rise << gaps.rate_before, gaps.rate.head(FlightRow::kTimes - 1);
-  const Values between = 3.0 / spacing * (gaps.gap - gap_before) - rise - gaps.rate;
+  const RowValues between = 3.0 / spacing * (gaps.gap - gap_before) - rise - gaps.rate;
   return ((rise > 0.0 && (between < 0.0 || gaps.rate <= 0.0)) || (between > 0.0 && gaps.rate < 0.0)).any();
 }
 
@@ -144,7 +142,7 @@ std::optional<trajectory::Pass> TouchdownSearch::nearest_top(const Flight& fligh
 std::optional<trajectory::Pass> TouchdownSearch::pass_between(const Flight& flight, int blade,
                                                               TopBetween between, double end,
                                                               double known) const {
-  const rotor::RipplingBlades& blades = machine_->blades;
+  const rotor::BladeSet& blades = machine_->blades;
   const auto rate = [&](double time) {
     const rotor::ShaftAndRing bodies = flight.state(time);
     const contact::BladeDirection er = blades.direction(blade, blades.first(time));

@@ -11,15 +11,6 @@ constexpr std::int64_t kBetweenLooks = 2'000'000;
 
 }  // namespace
 
-// Rounded up from measurements of 271 random scenes at -O3 on one core.
-const std::int64_t WorkPrice::kAttempt = 1'500;
-const std::int64_t WorkPrice::kForce = 1'000;
-const std::int64_t WorkPrice::kCurve = 60;
-const std::int64_t WorkPrice::kInclinedCurve = 500;
-const std::int64_t WorkPrice::kGap = 300;
-const std::int64_t WorkPrice::kState = 50;
-const std::int64_t WorkPrice::kEvent = 1'200;
-
 const WorkBound WorkBound::kHybrid{2'000'000'000, 2'000'000'000, 100'000'000};
 const WorkBound WorkBound::kStepped{10'000'000'000, 40'000'000'000, 2'000'000'000};
 

@@ -27,7 +27,7 @@ constexpr int kNoBlade = -1;
 Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings)
     : machine_(std::move(machine)),
       limits_(settings.limits),
-      modes_({machine_, limits_, meter_, settings.make_phases}, std::move(law)),
+      modes_(machine_, std::move(law), limits_, meter_, settings.make_phases),
       flight_(machine_),
       search_(machine_, geometries()) {
   contacts_.reserve(static_cast<std::size_t>(machine_.blades.count()));
@@ -98,8 +98,7 @@ ending::PointStatus Motion::revolution(modes::MotionListener& listener, const mo
     const modes::ModeEnd end = phase_ == nullptr ? fly(period, listener) : touch(period, listener);
     if (end.guard == modes::Guard::horizon) return finish_revolution(period);
     if (end.guard == modes::Guard::failed || end.guard == modes::Guard::left_validity) return ends(end.why);
-    const ending::PointStatus status = reset(end, listener);
-    if (status != ending::PointStatus::done) return status;
+    if (const auto why = reset(end, listener); why != ending::StatusDetail::none) return ends(why);
     if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
   }
   return ends(meter_.why());
@@ -221,9 +220,10 @@ ending::StatusDetail Motion::begin_mode() {
   const bool rests = any_rests();
   if (!rests && begins_to_skim()) contacts_.front().skims = true;
   under_law_of_rest_ = rests && modes_.has_law_of_rest();
-  std::vector<modes::OpenContact> resting;
-  if (under_law_of_rest_) resting = modes_.at_rest(contacts_);
-  const std::vector<modes::OpenContact>& contacts = under_law_of_rest_ ? resting : contacts_;
+  std::vector<modes::OpenContact> contacts = contacts_;
+  if (under_law_of_rest_) {
+    for (modes::OpenContact& contact : contacts) contact = modes_.under_law_of_rest(contact);
+  }
   phase_ = &(under_law_of_rest_ ? modes_.resting() : modes_.phases()).of(contacts);
   return phase_->start(time_, state_, contacts);
 }
@@ -241,7 +241,7 @@ bool Motion::begins_to_skim() {
 // Contacts.
 
 modes::TipPlace Motion::place(int blade) const {
-  const rotor::RipplingBlades& blades = machine_.blades;
+  const rotor::BladeSet& blades = machine_.blades;
   return {rotor::pose_of(machine_.constants, law().geometry(blade),
                          blades.direction(blade, blades.first(time_)), rotor::from_ring(state_)),
           blades.angular_speed(time_)};
@@ -297,7 +297,7 @@ void Motion::tell(modes::MotionListener& listener, modes::Guard guard, int blade
 }
 
 /// From the guard that has ended a mode to the contacts of the next mode.
-ending::PointStatus Motion::reset(const modes::ModeEnd& end, modes::MotionListener& listener) {
+ending::StatusDetail Motion::reset(const modes::ModeEnd& end, modes::MotionListener& listener) {
   using modes::Guard;
   undecided_ = true;
   ended_by_ = end.guard;
@@ -305,21 +305,21 @@ ending::PointStatus Motion::reset(const modes::ModeEnd& end, modes::MotionListen
   const auto contact = std::ranges::find(contacts_, end.blade, &modes::OpenContact::blade);
   switch (end.guard) {
     case Guard::touch_down:
-      return ends(touch_down(end.blade, listener));
+      return touch_down(end.blade, listener);
     case Guard::lift_off:
-      if (law().straightens(place(end.blade), *contact)) return ends(ending::StatusDetail::none);
-      return ends(lift_off(contact, listener));
+      if (law().straightens(place(end.blade), *contact)) return ending::StatusDetail::none;
+      return lift_off(contact, listener);
     case Guard::snap:
-      return ends(snap(contact, listener));
+      return snap(contact, listener);
     case Guard::comes_loose:
-      return ends(come_loose(contact, listener));
+      return come_loose(contact, listener);
     case Guard::slip_reversal:
-      return ends(reverse_slip(contact, listener));
+      return reverse_slip(contact, listener);
     case Guard::pressed_in:  // a tip that has skimmed goes on under its full force, a straight blade bends
       contact->straight = false;
-      return ends(ending::StatusDetail::none);
+      [[fallthrough]];
     default:
-      return ends(ending::StatusDetail::none);
+      return ending::StatusDetail::none;
   }
 }
 
@@ -364,8 +364,9 @@ ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& 
     const bool has_moved = reversal_cycle(*contact) > 0.0;
     return has_moved ? ending::StatusDetail::none : ending::StatusDetail::slip_undecided;
   }
-  if (!law().bend_anew(place(contact->blade), *contact)) return ending::StatusDetail::no_equilibrium;
-  modes_.set_out_from_rest(state_, time_, *contact);
+  const modes::TipPlace at = place(contact->blade);
+  if (!law().bend_anew(at, *contact)) return ending::StatusDetail::no_equilibrium;
+  modes_.set_out_from_rest(state_, at, time_, *contact);
   const ending::StatusDetail settled = settle_others(contact->blade, listener);
   tell(listener, modes::Guard::comes_loose, contact->blade, contact->slip);
   return settled;

@@ -74,7 +74,7 @@ class Motion final : public PointMotion {
 
   // Resets.
   void tell(modes::MotionListener& listener, modes::Guard guard, int blade, double slip) const;
-  ending::PointStatus reset(const modes::ModeEnd& end, modes::MotionListener& listener);
+  ending::StatusDetail reset(const modes::ModeEnd& end, modes::MotionListener& listener);
   ending::StatusDetail touch_down(int blade, modes::MotionListener& listener);
   ending::StatusDetail lift_off(Contact contact, modes::MotionListener& listener);
   ending::StatusDetail snap(Contact contact, modes::MotionListener& listener);

@@ -1,13 +1,15 @@
-/// Where the blades stand: directions of n blades on a rotor that turns.
+/// Where the blades stand: directions of n blades on a rotor that turns, whose speed may ripple.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <vector>
 
 #include "contact/pose.hpp"
+#include "settings/effects/speed_ripple.hpp"
 
 namespace rubatlas::rotor {
 
@@ -19,15 +21,23 @@ inline std::vector<double> equal_angles(int count) {
   return angles;
 }
 
-/// Places of the blades on the hub; blade 0 is the paper's blade 1, at angle 0 when the revolution starts.
-class BladePlaces {
+/// Blades with φ' = Ω (1 + a cos(pΩτ + ψ)) (`effects/speed_ripple.hpp`); a may be 0. Blade 0 is the paper's
+/// blade 1, at angle 0 when the revolution starts.
+class BladeSet {
  public:
-  explicit BladePlaces(std::span<const double> angles) {
+  /// `angles`: of each blade from blade 0's place [rad].
+  BladeSet(std::span<const double> angles, double speed_ratio, const effects::SpeedRipple& ripple = {})
+      : speed_ratio_(speed_ratio),
+        amplitude_(ripple.amplitude),
+        frequency_(ripple.order * speed_ratio),
+        depth_(ripple.amplitude / ripple.order),
+        phase_(ripple.phase) {
     for (const double angle : angles) offsets_.push_back({std::cos(angle), std::sin(angle)});
   }
+  /// Equally spaced.
+  BladeSet(int count, double speed_ratio) : BladeSet(equal_angles(count), speed_ratio) {}
 
   [[nodiscard]] int count() const { return static_cast<int>(offsets_.size()); }
-
   /// Direction of a blade when the hub has turned to `first`.
   [[nodiscard]] contact::BladeDirection direction(int blade, const contact::BladeDirection& first) const {
     const contact::BladeDirection& offset = offsets_[static_cast<std::size_t>(blade)];
@@ -35,63 +45,57 @@ class BladePlaces {
             first.sine * offset.cosine + first.cosine * offset.sine};
   }
 
+  [[nodiscard]] bool ripples() const { return amplitude_ != 0.0; }
+  [[nodiscard]] double mean_speed() const { return speed_ratio_; }      ///< Ω [-]
+  [[nodiscard]] double ripple_amplitude() const { return amplitude_; }  ///< a [-]
+  [[nodiscard]] double ripple_frequency() const { return frequency_; }  ///< pΩ [per unit τ]
+  [[nodiscard]] double ripple_depth() const { return depth_; }          ///< a/p [rad]
+  /// pΩτ + ψ, as a direction.
+  [[nodiscard]] contact::BladeDirection ripple(double time) const {
+    const double angle = frequency_ * time + phase_;
+    return {std::cos(angle), std::sin(angle)};
+  }
+  [[nodiscard]] double angle(double time) const {
+    return mean_speed() * time + depth_ * (std::sin(frequency_ * time + phase_) - std::sin(phase_));
+  }
+  /// dφ/dτ and d²φ/dτ² at time τ of the revolution.
+  [[nodiscard]] double angular_speed(double time) const {
+    if (!ripples()) return mean_speed();
+    return mean_speed() * (1.0 + amplitude_ * std::cos(frequency_ * time + phase_));
+  }
+  [[nodiscard]] double angular_acceleration(double time) const {
+    if (!ripples()) return 0.0;
+    return -mean_speed() * amplitude_ * frequency_ * std::sin(frequency_ * time + phase_);
+  }
+  /// Least |φ'|.
+  [[nodiscard]] double slowest() const { return std::abs(mean_speed()) * (1.0 - amplitude_); }
+  /// Bounds of |φ'|, |φ''|, |φ'''| and |φ''''|.
+  [[nodiscard]] double speed_bound() const { return std::abs(mean_speed()) * (1.0 + amplitude_); }
+  [[nodiscard]] double angular_acceleration_bound() const {
+    return std::abs(mean_speed() * frequency_) * amplitude_;
+  }
+  [[nodiscard]] double angular_jerk_bound() const {
+    return std::abs(mean_speed()) * frequency_ * frequency_ * amplitude_;
+  }
+  [[nodiscard]] double angular_snap_bound() const { return std::abs(frequency_) * angular_jerk_bound(); }
+
+  /// Direction of blade 0 at time τ of the revolution. The last one is kept: an event asks for it many times.
+  [[nodiscard]] contact::BladeDirection first(double time) const {
+    if (time == time_of_last_) return last_;
+    time_of_last_ = time;
+    const double phi = ripples() ? angle(time) : speed_ratio_ * time;
+    return last_ = {std::cos(phi), std::sin(phi)};
+  }
+
  private:
   std::vector<contact::BladeDirection> offsets_;
-};
-
-/// Square of an angle [rad²] below which the first terms that `turned` leaves out, angle^11/11! and
-/// angle^10/10!, are less than 1e-18.
-inline constexpr double kFarTurned = 0.0039;
-
-/// A direction turned by a small angle [rad], by the series of sine and cosine.
-inline contact::BladeDirection turned(const contact::BladeDirection& from, double angle) {
-  const double square = angle * angle;
-  const double fourth = square * square;
-  const double sine = angle + (angle * square) * ((-1.0 / 6 + square * (1.0 / 120)) +
-                                                  fourth * (-1.0 / 5040 + square * (1.0 / 362880)));
-  const double cosine_less_one =
-      square * ((-0.5 + square * (1.0 / 24)) + fourth * (-1.0 / 720 + square * (1.0 / 40320)));
-  return {from.cosine + (from.cosine * cosine_less_one - from.sine * sine),
-          from.sine + (from.sine * cosine_less_one + from.cosine * sine)};
-}
-
-/// Blades at constant speed.
-class BladeSet : public BladePlaces {
- public:
-  BladeSet(std::span<const double> angles, double speed_ratio)
-      : BladePlaces(angles), speed_ratio_(speed_ratio) {}
-  /// Equally spaced.
-  BladeSet(int count, double speed_ratio) : BladeSet(equal_angles(count), speed_ratio) {}
-
-  /// dφ/dτ at time τ of the revolution.
-  [[nodiscard]] double angular_speed(double /*time*/) const { return speed_ratio_; }
-  /// Least |dφ/dτ|.
-  [[nodiscard]] double slowest() const { return std::abs(speed_ratio_); }
-
-  /// Direction of blade 0 at time τ of the revolution.
-  [[nodiscard]] contact::BladeDirection first(double time) const {
-    return {std::cos(speed_ratio_ * time), std::sin(speed_ratio_ * time)};
-  }
-
-  /// Where a blade stood at a time near which its direction is asked for.
-  struct Anchor {
-    int blade = 0;
-    double time = 0.0;
-    contact::BladeDirection direction{};
-  };
-  [[nodiscard]] Anchor anchor(int blade, double time) const {
-    return {blade, time, direction(blade, first(time))};
-  }
-  /// Direction of the anchor's blade, from that at the anchor by the series of sine and cosine: within a step
-  /// the blade turns by some hundredths, and a sine and cosine in full are a quarter of a right-hand side.
-  [[nodiscard]] contact::BladeDirection direction_near(const Anchor& anchor, double time) const {
-    const double angle = speed_ratio_ * (time - anchor.time);
-    if (!(angle * angle < kFarTurned)) return direction(anchor.blade, first(time));
-    return turned(anchor.direction, angle);
-  }
-
- private:
-  double speed_ratio_;
+  double speed_ratio_;  ///< Ω [-]
+  double amplitude_;    ///< a [-]
+  double frequency_;    ///< pΩ [per unit τ]
+  double depth_;        ///< a/p [rad]
+  double phase_;        ///< ψ [rad]
+  mutable double time_of_last_ = std::numeric_limits<double>::quiet_NaN();
+  mutable contact::BladeDirection last_{};
 };
 
 }  // namespace rubatlas::rotor

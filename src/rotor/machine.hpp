@@ -6,11 +6,11 @@
 #include <variant>
 
 #include "rotor/any_shaft.hpp"
+#include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
 #include "rotor/harmonic.hpp"
 #include "rotor/ring_body.hpp"
-#include "rotor/rippling_blades.hpp"
 
 namespace rubatlas::rotor {
 
@@ -24,7 +24,7 @@ using Ring = std::variant<std::monostate, FollowingRing, RingBody>;
 
 struct Machine {
   RotorConstants constants;
-  RipplingBlades blades;
+  BladeSet blades;
   AnyShaft shaft;
   Ring ring;
 

@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "settings/effects/list.hpp"
-#include "variation/blades_of_scene.hpp"
-#include "variation/friction_of_scene.hpp"
+#include "variation/parts_of_scene.hpp"
 
 namespace rubatlas::variation {
 namespace {
@@ -94,14 +93,12 @@ struct ContactStiffness::Tip {
 
 std::vector<ContactStiffness::OfBlade> ContactStiffness::laws_of(const settings::Scene& line) {
   const contact::Friction friction = friction_of(line);
-  const auto theory = line.contact.law == settings::ContactLaw::beam_column ? blade::Theory::beam_column
-                                                                            : blade::Theory::elastica;
   const auto law_of = [&](const settings::Blades& blade, const contact::Geometry& geometry) -> Law {
     if (line.contact.law == settings::ContactLaw::elastic_ring)
       return RigidBlade(geometry, line.ring.stiffness, friction);
     if (friction.depends_on_velocity())
       return DirectedBlade(contact::LoadDirection::axial, geometry, blade_of(blade), friction);
-    return ElasticBlade(geometry, blade_of(blade), curve_of(line.contact.friction, theory));
+    return ElasticBlade(geometry, blade_of(blade), curve_of(line.contact.friction, theory_of(line)));
   };
   std::vector<OfBlade> laws;
   for (const settings::Blades& blade : each_blade(line)) {
@@ -168,21 +165,15 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
       contact::slip_velocity(place, contact::tip_rate(at, speed), speed, Number(1.0 / distance), distance);
   tip.slip = slip_velocity * distance;
 
-  const auto friction_under = [&](const contact::Friction& friction_law) {
-    return of(friction_law.coefficient(slip_velocity.value(), contact.slip),
-              friction_law.slope(slip_velocity.value()), slip_velocity);
-  };
-  Number friction(0.0);
-  if (const auto* rigid = std::get_if<RigidBlade>(&law)) {
-    friction = friction_under(rigid->friction());
+  const contact::Friction friction_law = std::visit([](const auto& blade) { return blade.friction(); }, law);
+  const Number friction = of(friction_law.coefficient(slip_velocity.value(), contact.slip),
+                             friction_law.slope(slip_velocity.value()), slip_velocity);
+  if (const auto* rigid = std::get_if<RigidBlade>(&law))
     load = rigid->stiffness() * (distance - geometry.ring_radius);
-  } else if (const auto* directed = std::get_if<DirectedBlade>(&law)) {
-    friction = friction_under(directed->friction());
+  if (std::holds_alternative<DirectedBlade>(law)) {
     const Number secant_square = friction * friction + 1.0;
     tip.constraints[1] = load_angle - of(std::atan(friction.value()), 1.0 / secant_square.value(), friction);
     load = load / sqrt(secant_square);
-  } else {
-    friction = Number(contact.slip * std::get<ElasticBlade>(law).curve().friction());
   }
   tip.constraints[0] = contact::contact_equation(at.gap, unbent, bent);
   const Vector direction_of_push = contact::push_direction(place, friction);

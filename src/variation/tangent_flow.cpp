@@ -10,7 +10,7 @@
 
 #include "integrate/decompositions.hpp"
 #include "settings/effects/list.hpp"
-#include "variation/support_of_scene.hpp"
+#include "variation/parts_of_scene.hpp"
 
 namespace rubatlas::variation {
 namespace {
@@ -179,14 +179,17 @@ double TangentFlow::longest_flight() const {
 Tangents TangentFlow::after_flight(double duration) const {
   Tangents tangents = tangents_;
   const Eigen::Index velocities = tangents.rows() / 2;
-  if (support_) {
+  const auto move_body = [&](Eigen::Index first, const auto& moved) {
     for (auto tangent : tangents.colwise()) {
-      rotor::LinearSupport::State shaft;
-      shaft << tangent.segment<2>(0), tangent.segment<2>(velocities);
-      shaft = support_->state(0.0, shaft, duration);
-      tangent.segment<2>(0) = shaft.head<2>();
-      tangent.segment<2>(velocities) = shaft.tail<2>();
+      Eigen::Vector4d body;
+      body << tangent.segment<2>(first), tangent.segment<2>(velocities + first);
+      body = moved(body);
+      tangent.segment<2>(first) = body.head<2>();
+      tangent.segment<2>(velocities + first) = body.tail<2>();
     }
+  };
+  if (support_) {
+    move_body(0, [&](const Eigen::Vector4d& shaft) { return support_->state(0.0, shaft, duration); });
   } else {
     const auto [cosine, sine] = free_.kernel(duration);
     const double damping = free_.damping_ratio();
@@ -195,14 +198,8 @@ Tangents TangentFlow::after_flight(double duration) const {
     tangents.topRows<2>() = cosine * place + sine * (velocity + damping * place);
     tangents.middleRows<2>(velocities) = cosine * velocity - sine * (place + damping * velocity);
   }
-  if (!ring_) return tangents;
-  for (auto tangent : tangents.colwise()) {
-    rotor::RingBody::State ring;
-    ring << tangent.segment<2>(2).array(), tangent.segment<2>(velocities + 2).array();
-    ring = ring_->free(ring, duration);
-    tangent.segment<2>(2) = ring.head<2>();
-    tangent.segment<2>(velocities + 2) = ring.tail<2>();
-  }
+  if (ring_)
+    move_body(2, [&](const Eigen::Vector4d& ring) { return ring_->free(ring, duration).matrix().eval(); });
   return tangents;
 }
 

@@ -31,7 +31,7 @@ MAY_INCLUDE = {
                      "point"],
     "src/compared": ["settings", "contact", "rotor", "integrate", "trajectory", "modes", "motion", "ending", "point",
                      "assembly"],
-    "src/branch": ["settings", "plan", "integrate", "contact/pose.hpp", "rotor", "variation/blades_of_scene.hpp",
+    "src/branch": ["settings", "plan", "integrate", "contact/pose.hpp", "rotor", "variation/parts_of_scene.hpp",
                    "observables/grazing.hpp", "point", "assembly"],
     "src/atlas": ["settings", "plan", "observables", "point/line_solver.hpp", "ending", "branch/branch.hpp"],
     "analysis/rules": ["settings", "plan", "rotor/free_motion.hpp", "atlas"],

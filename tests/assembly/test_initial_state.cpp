@@ -1,7 +1,7 @@
 // Where a point starts that goes on from no other.
 #include <gtest/gtest.h>
 
-#include "assembly/initial_state.hpp"
+#include "assembly/make_line_solver.hpp"
 #include "plan/grid.hpp"
 #include "settings/reader.hpp"
 

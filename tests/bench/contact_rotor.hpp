@@ -10,7 +10,7 @@
 
 #include "compared/solved.hpp"
 #include "contact/elastica_contact.hpp"
-#include "modes/law_of_axial_loads.hpp"
+#include "modes/laws.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::bench {

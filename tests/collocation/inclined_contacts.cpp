@@ -109,8 +109,7 @@ InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, Mak
       const auto touch = law.open({start.blade, start.slip, 0.0}, at, m.rotor.speed_ratio);
       blade::Bend bend{};
       contact::TipForce force{};
-      const bool stands =
-          m.law.respond(at, start.slip, m.rotor.speed_ratio, bend.modulus, bend.amplitude, force);
+      const bool stands = m.law.respond(at, start.slip, m.rotor.speed_ratio, bend, force);
       // Where g is a rounding error, so is the force.
       const double same = 1e-8 * m.law.load_unit();
       if (stands != touch.has_value() ||

@@ -16,7 +16,7 @@
 #include "contact/unequal_blades.hpp"
 #include "modes/collocated.hpp"
 #include "rotor/any_shaft.hpp"
-#include "rotor/rippling_blades.hpp"
+#include "rotor/blade_set.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -31,7 +31,7 @@ double random_between(std::mt19937_64& generator, double least, double most) {
 struct KickedRotor {
   using Laws = contact::UnequalBlades<contact::DirectedElastica>;
   rotor::RotorConstants rotor;
-  rotor::RipplingBlades blades;
+  rotor::BladeSet blades;
   Laws laws;
   rotor::AnyShaft shaft;
   trajectory::State start;

@@ -27,9 +27,10 @@ struct Met {
 template <class Law>
 Met meet(const Law& law, const Pose& at, double slip, double speed, double bending = 0.0,
          double amplitude = 0.0) {
-  Met result{true, bending, amplitude, {}};
-  result.found = law.respond(at, slip, speed, result.bending, result.amplitude, result.force);
-  return result;
+  blade::Bend bend{bending, amplitude};
+  TipForce force{};
+  const bool found = law.respond(at, slip, speed, bend, force);
+  return {found, bend.modulus, bend.amplitude, force};
 }
 
 inline double difference(const TipForce& one, const TipForce& other) {

@@ -12,7 +12,7 @@
 #include "../settings/scene_error_text.hpp"
 #include "compared/sticking.hpp"
 #include "contact/elastic_ring_contact.hpp"
-#include "rotor/rippling_blades.hpp"
+#include "rotor/blade_set.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -338,7 +338,7 @@ TEST(Stick, TwoTipsCanBeHeldAtOnceAtASteadyAndAtARipplingSpeed) {
   rotor.blades = 5;
   expect_two_tips_at_rest(rotor, rotor::BladeSet(rotor.blades, rotor.speed_ratio));
   const auto angles = rotor::equal_angles(rotor.blades);
-  expect_two_tips_at_rest(rotor, rotor::RipplingBlades(angles, rotor.speed_ratio, {0.3, 2, 0.4}));
+  expect_two_tips_at_rest(rotor, rotor::BladeSet(angles, rotor.speed_ratio, {0.3, 2, 0.4}));
 }
 
 TEST(Stick, OfTheMirroredRotorIsTheMirrorImage) {

@@ -11,7 +11,7 @@
 #include "../settings/scene_error_text.hpp"
 #include "assembly/make_line_solver.hpp"
 #include "effect_scene.hpp"
-#include "motion/friction_work.hpp"
+#include "motion/changing_motion.hpp"
 
 namespace rubatlas::test {
 namespace {

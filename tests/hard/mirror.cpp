@@ -11,7 +11,7 @@
 
 #include "contact/unequal_blades.hpp"
 #include "recorded_motion.hpp"
-#include "rotor/rippling_blades.hpp"
+#include "rotor/blade_set.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -124,7 +124,7 @@ TEST(Mirror, LoadsUnequalBladesAndARipplingSpeedAreMirroredToo) {
     return rotor::BladeSet(unequal_angles(rotor, side), rotor.speed_ratio);
   };
   const auto rippling = [](const HardRotor& rotor, double side) {
-    return rotor::RipplingBlades(unequal_angles(rotor, side), rotor.speed_ratio, {0.2, 2, side * 0.8});
+    return rotor::BladeSet(unequal_angles(rotor, side), rotor.speed_ratio, {0.2, 2, side * 0.8});
   };
   for (const double speed : {0.3, 0.62}) {
     for (const int blades : {1, 3, 4}) {

@@ -90,7 +90,7 @@ class Recording final : public modes::MotionListener {
 
 /// By collocation, or in steps.
 template <class Law, class Forcing, class OnPiece>
-RecordedMotion follow(const HardRotor& rotor, const rotor::RipplingBlades& blades, const Law& law,
+RecordedMotion follow(const HardRotor& rotor, const rotor::BladeSet& blades, const Law& law,
                       const Forcing& forcing, const rotor::State& start, int revolutions, OnPiece on_piece,
                       bool collocates = true) {
   const auto motion =

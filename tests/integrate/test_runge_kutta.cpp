@@ -141,11 +141,7 @@ TEST(RungeKutta, DenseOutputJoinsTheEndsOfTheStep) {
   const PlanarState end_slope = (method.end() - method.interpolate(1 - step)) / (step * 0.3);
   EXPECT_LE(largest_difference(start_slope, method.start_derivative()), 1e-4);
   EXPECT_LE(largest_difference(end_slope, method.end_derivative()), 1e-4);
-  for (int k = 0; k < 4; ++k) {
-    EXPECT_EQ(method.interpolate(0.37, k), method.interpolate(0.37)[k]);
-    EXPECT_NEAR(method.mean_slope(0.37, k), (method.interpolate(0.37, k) - method.start()[k]) / 0.37, 1e-15);
-    EXPECT_NEAR(method.mean_slope(0.0, k), 0.3 * method.start_derivative()[k], 1e-15);
-  }
+  for (int k = 0; k < 4; ++k) EXPECT_NEAR(method.slope(0.0, k), 0.3 * method.start_derivative()[k], 1e-15);
 }
 
 TEST(RungeKutta, StepIsTheSameToTheLastBitEachTime) {

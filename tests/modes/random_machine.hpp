@@ -67,7 +67,7 @@ struct RandomMachine {
       fastest = std::max(fastest, ripple.order * speed);
     }
     fastest = std::max(fastest, speed * (1.0 + ripple.amplitude));
-    machine.blades = rotor::RipplingBlades(angles, speed, ripple);
+    machine.blades = rotor::BladeSet(angles, speed, ripple);
   }
 
   void add_shaft(std::mt19937_64& generator) {

@@ -14,7 +14,7 @@
 #include "blade/elastica.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
-#include "modes/contact_force.hpp"
+#include "modes/seen_tip.hpp"
 #include "observables/list.hpp"
 
 namespace rubatlas::test {

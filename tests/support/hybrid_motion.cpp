@@ -1,9 +1,6 @@
 #include "hybrid_motion.hpp"
 
-#include "modes/law_of_axial_loads.hpp"
-#include "modes/law_of_damped_ring.hpp"
-#include "modes/law_of_inclined_loads.hpp"
-#include "modes/law_of_rigid_blades.hpp"
+#include "modes/laws.hpp"
 
 namespace rubatlas::test {
 

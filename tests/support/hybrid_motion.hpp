@@ -49,7 +49,7 @@ std::unique_ptr<motion::Motion> hybrid_motion(const rotor::Machine& machine, con
 }
 template <class Law, class Forcing>
 std::unique_ptr<motion::Motion> hybrid_motion(const rotor::RotorConstants& rotor,
-                                              const rotor::RipplingBlades& blades, const Law& law,
+                                              const rotor::BladeSet& blades, const Law& law,
                                               const Forcing& forcing, const modes::ContactLimits& limits) {
   return hybrid_motion(machine_of(rotor, blades, forcing), law, limits);
 }

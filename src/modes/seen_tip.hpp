@@ -1,12 +1,25 @@
-/// What a tip's force does to the rotor, under any contact law, as observables see it.
+/// What observables see of a tip: where it is against the ring, and what its force does to the rotor, under
+/// any contact law.
 #pragma once
 
+#include <cmath>
 #include <complex>
 
 #include "contact/tip.hpp"
 #include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
+
+/// The tip of an undeformed blade against the ring.
+inline trajectory::Tip tip_of(const contact::Geometry& geometry, const contact::Pose& at,
+                              double angular_speed) {
+  const double radius = geometry.ring_radius;
+  // |tip|² = R² + g
+  const double distance = std::sqrt(std::fmax(radius * radius + at.gap, 0.0));
+  const double slip = contact::undeformed_slip_velocity(geometry, at, angular_speed);
+  return {at.gap / (radius + distance), 0.5 * contact::gap_rate(geometry, at, angular_speed) / distance,
+          std::copysign(1.0, slip) * at.tangential};
+}
 
 /// How a tip rubs.
 struct Rubbing {
