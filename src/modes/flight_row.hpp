@@ -14,9 +14,9 @@
 
 #include "contact/pose.hpp"
 #include "modes/state_row.hpp"
+#include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
-#include "rotor/blade_set.hpp"
 
 namespace rubatlas::modes {
 
