@@ -77,9 +77,7 @@ class RigidLaw final : public ArcLaw {
   }
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override {
-    double bending = 0.0;
-    contact::TipForce result{};
-    law_->of(touch.blade).respond(at, touch.slip, speed, bending, result);
+    contact::TipForce result = law_->of(touch.blade).force(at, touch.slip, speed);
     if (touch.slip == 0.0) {
       const std::complex<double> tangent = contact::tangent(geometry(touch.blade), at);
       const double friction = touch.holding * result.normal;

@@ -22,6 +22,12 @@ namespace rubatlas::compared {
 
 using namespace modes;  // phases in steps are phases of a motion
 
+/// g and dg/dτ of a blade.
+struct BladeGap {
+  double value;  ///< [m²]
+  double rate;   ///< [m² per unit τ]
+};
+
 /// Values of one blade that are kept from step to step.
 struct WatchedBlade {
   bool open = false;    ///< in contact

@@ -50,8 +50,7 @@ inline bool raise_force(const contact::ElasticaContact& law, const contact::Pose
 /// Of a rigid blade, whose force is known: the first increment that reaches it.
 inline bool raise_force(const contact::ElasticRingContact& law, const contact::Pose& at, double slip,
                         double angular_speed, double increment, contact::TipForce& force) {
-  double bending = 0.0;
-  law.respond(at, slip, angular_speed, bending, force);
+  force = law.force(at, slip, angular_speed);
   const double stepped = std::ceil(force.normal / increment) * increment;
   const double excess = force.normal > 0.0 ? stepped / force.normal : 1.0;
   force.radial *= excess;

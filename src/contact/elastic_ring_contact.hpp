@@ -25,16 +25,13 @@ class ElasticRingContact {
     return {geometry_.shortened(lost), stiffness_, friction_, damping_};
   }
 
-  /// F = kr (|rk| − R) + cr d|rk|/dτ. Always true: the force is continued beyond lift-off, where Runge–Kutta
-  /// stages may land.
-  bool respond(const Pose& at, double slip, double angular_speed, double& /*bending*/,
-               TipForce& force) const {
+  /// F = kr (|rk| − R) + cr d|rk|/dτ, continued beyond lift-off, where Runge–Kutta stages may land.
+  [[nodiscard]] TipForce force(const Pose& at, double slip, double angular_speed) const {
     const double distance = magnitude(unbent_tip(geometry_, at));
     // |rk| − R from g = |rk|² − R²: exact where |rk| and R are nearly equal.
     double load = stiffness_ * at.gap / (distance + geometry_.ring_radius);
     if (damping_ > 0.0) load += damping_ * (0.5 * gap_rate(geometry_, at, angular_speed) / distance);
-    force = under_load(at, slip, angular_speed, load);
-    return true;
+    return under_load(at, slip, angular_speed, load);
   }
   /// Force and slip velocity of a tip under the normal load F [N].
   [[nodiscard]] TipForce under_load(const Pose& at, double slip, double angular_speed, double load) const {

@@ -22,7 +22,8 @@ class LawOfRigidBlades final : public LawOfBlades<LawOfRigidBlades, contact::Ela
   using LawOfBlades::LawOfBlades;
 
   bool respond(const TipPlace& at, OpenContact& contact, contact::TipForce& force) const override {
-    return of(contact.blade).respond(at.pose, contact.slip, at.speed, contact.bending, force);
+    force = of(contact.blade).force(at.pose, contact.slip, at.speed);
+    return true;
   }
   [[nodiscard]] Kind kind() const override {
     const contact::Friction& friction = of(0).friction();

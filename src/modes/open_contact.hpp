@@ -1,4 +1,4 @@
-/// A blade in contact, and its force where it stands.
+/// A blade in contact.
 #pragma once
 
 #include <limits>
@@ -19,12 +19,6 @@ struct OpenContact {
   /// τ of the last slip reversal, and of the one before.
   double reversed = -std::numeric_limits<double>::infinity();
   double reversed_before = -std::numeric_limits<double>::infinity();
-};
-
-/// g and dg/dτ of a blade.
-struct BladeGap {
-  double value;  ///< [m²]
-  double rate;   ///< [m² per unit τ]
 };
 
 }  // namespace rubatlas::modes

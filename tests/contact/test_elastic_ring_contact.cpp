@@ -18,9 +18,7 @@ TEST(ElasticRingContact, ForceIsTheRingsStiffnessTimesItsYield) {
   RandomContacts contacts(kDefaultRotor, 0.25, 21);
   for (int i = 0; i < 5000; ++i) {
     const Pose at = contacts.next();
-    double bending = 0.0;
-    TipForce force{};
-    ASSERT_TRUE(law.respond(at, 1.0, 0.4, bending, force));
+    const TipForce force = law.force(at, 1.0, 0.4);
     const long double a = static_cast<long double>(at.radial) + law.geometry().reach;
     const long double b = at.tangential;
     const long double distance = std::sqrt(a * a + b * b);
@@ -39,13 +37,9 @@ TEST(ElasticRingContact, ForceIsTheRingsStiffnessTimesItsYield) {
 
 TEST(ElasticRingContact, ForceIsContinuousAndLinearThroughLiftOff) {
   const ElasticRingContact law(kDefaultRotor.geometry(), kStiffness, {kFriction});
-  double bending = 0.0;
-  TipForce inside{};
-  TipForce outside{};
-  TipForce there{};
-  law.respond({0.01, 0.0, 0.0, 0.0, 1e-12}, 1.0, 0.4, bending, inside);
-  law.respond({0.01, 0.0, 0.0, 0.0, -1e-12}, 1.0, 0.4, bending, outside);
-  law.respond({0.01, 0.0, 0.0, 0.0, 0.0}, 1.0, 0.4, bending, there);
+  const TipForce inside = law.force({0.01, 0.0, 0.0, 0.0, 1e-12}, 1.0, 0.4);
+  const TipForce outside = law.force({0.01, 0.0, 0.0, 0.0, -1e-12}, 1.0, 0.4);
+  const TipForce there = law.force({0.01, 0.0, 0.0, 0.0, 0.0}, 1.0, 0.4);
   EXPECT_EQ(there.normal, 0.0);
   EXPECT_EQ(there.radial, 0.0);
   EXPECT_EQ(outside.normal, -inside.normal);
@@ -60,11 +54,8 @@ TEST(ElasticRingContact, MirroredMotionHasTheMirroredForce) {
     Pose mirrored = at;
     mirrored.tangential = -at.tangential;
     mirrored.tangential_velocity = -at.tangential_velocity;
-    double bending = 0.0;
-    TipForce one{};
-    TipForce other{};
-    law.respond(at, 1.0, 0.4, bending, one);
-    law.respond(mirrored, -1.0, -0.4, bending, other);
+    const TipForce one = law.force(at, 1.0, 0.4);
+    const TipForce other = law.force(mirrored, -1.0, -0.4);
     EXPECT_EQ(other.radial, one.radial);
     EXPECT_EQ(other.tangential, -one.tangential);
     EXPECT_EQ(other.normal, one.normal);

@@ -65,15 +65,12 @@ TEST(ElasticRingContact, RegularisedFrictionBecomesCoulombs) {
   int bitwise = 0;
   for (int i = 0; i < 3000; ++i) {
     const Pose at = contacts.next();
-    TipForce sharp{};
-    double bending = 0.0;
     const double slip = undeformed_slip_velocity(geometry, at, 0.4) >= 0.0 ? 1.0 : -1.0;
-    coulomb.respond(at, slip, 0.4, bending, sharp);
+    const TipForce sharp = coulomb.force(at, slip, 0.4);
     double before = INFINITY;
     for (const double v0 : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
       const ElasticRingContact law(geometry, kRingStiffness, Friction::regularised(0.1, v0));
-      TipForce soft{};
-      law.respond(at, slip, 0.4, bending, soft);
+      const TipForce soft = law.force(at, slip, 0.4);
       const double difference =
           std::hypot(soft.radial - sharp.radial, soft.tangential - sharp.tangential) / sharp.normal;
       // 1 − tanh x = 2/(1 + exp 2x)
@@ -91,13 +88,11 @@ TEST(ElasticRingContact, RegularisedForceIsContinuousThroughZeroSlip) {
   const Geometry geometry = kDefaultRotor.geometry();
   const ElasticRingContact law(geometry, kRingStiffness, Friction::regularised(0.1, 1e-3));
   const double speed = 0.4;
-  double bending = 0.0;
   TipForce before{};
   for (int i = -1000; i <= 1000; ++i) {
     const double slip_velocity = 1e-6 * i;  // ct = 0, so that v = c'·et + Ω (rh+L)
-    TipForce force{};
-    law.respond({0.0101, 0.0, 0.0, slip_velocity - speed * geometry.reach, 2.2e-5}, 1.0, speed, bending,
-                force);
+    const Pose at{0.0101, 0.0, 0.0, slip_velocity - speed * geometry.reach, 2.2e-5};
+    const TipForce force = law.force(at, 1.0, speed);
     ASSERT_NEAR(force.slip_velocity, slip_velocity, 1e-17);
     ASSERT_NEAR(force.tangential, -0.1 * force.normal * std::tanh(slip_velocity / 1e-3),
                 1e-14 * force.normal);

@@ -38,14 +38,11 @@ TEST(Sticking, TheCoefficientKeepsTheSlipVelocityAtRest) {
     const Pose at = contacts.next();
     const double speed = 0.1 + contacts.uniform();
     const BladeVector<double> other{0.2 * contacts.uniform() - 0.1, 0.2 * contacts.uniform() - 0.1};
-    double bending = 0.0;
-    TipForce force{};
-    normal_force.respond(at, 1.0, speed, bending, force);
-    const double load = force.normal * force_unit;
+    const double load = normal_force.force(at, 1.0, speed).normal * force_unit;
     const double c = slip_acceleration(geometry, at, speed, other) / load;
     // The whole force of a contact with this coefficient, its normal part included.
     const ElasticRingContact stuck(geometry, 1e4, Friction::coulomb(c));
-    stuck.respond(at, 1.0, speed, bending, force);
+    const TipForce force = stuck.force(at, 1.0, speed);
     const double rate = differentiated_slip(geometry, at, speed, other.along + force_unit * force.radial,
                                             other.across + force_unit * force.tangential);
     const double size = 1.0 + std::abs(c) * load;

@@ -180,10 +180,7 @@ TEST(TorqueOfAContact, HasTheDeformedTipForItsLever) {
     const auto exact = blade::equilibrium(friction, bending);
     expect(bent, length * (1.0 - static_cast<double>(exact.shortening)),
            -slip * length * static_cast<double>(exact.deflection), slip * friction);
-    contact::TipForce stiff{};
-    double none = 0.0;
-    rigid.respond(at, slip, speed, none, stiff);
-    expect(stiff, geometry.reach, 0.0, slip * friction);
+    expect(rigid.force(at, slip, speed), geometry.reach, 0.0, slip * friction);
   }
 }
 
