@@ -25,9 +25,8 @@ struct LineRequest {
 /// The law of contact of a line.
 std::unique_ptr<modes::Law> law_of(const LineRequest& request);
 
-/// What turns and pushes the shaft, and the ring.
-/// Only what the scene has acts. `kind`: the closed form of the isotropic shaft at constant speed is kept
-/// where the line has both.
+/// What turns and pushes the shaft, and the ring: only what the scene has acts. `kind`: the closed form of
+/// the isotropic shaft at constant speed is kept where the line has both.
 rotor::Machine machine_of(const settings::Scene& line, settings::Machine kind, double speed_ratio);
 
 // Methods.
