@@ -16,7 +16,8 @@
 namespace rubatlas::collocation {
 namespace {
 
-/// `kPlain`: nothing acts but what the paper's rotor has and harmonic forcings, which takes an eighth less.
+/// `kPlain`: nothing acts but what the paper's rotor has and harmonic forcings, and `Closeness::step` asks
+/// for nothing, which takes an eighth less.
 template <std::size_t kWidth, bool kPlain>
 class ArcSweeps {
  public:
@@ -128,14 +129,16 @@ class ArcSweeps {
   }
   static Vector quarter_turned(const Vector& vector) { return {vector.y * -1.0, vector.x}; }
 
+  /// Of the last step. `step_before`: of the sweep before.
+  [[nodiscard]] bool is_close_enough(double step_before) const {
+    constexpr double kHardlyFalls = 0.5;  // what hardly falls is rounding
+    const double length = std::max(std::abs(interval_.chord.argument), interval_.chord.time);
+    return largest_step_ <= closeness_.step * length || largest_step_ > kHardlyFalls * step_before;
+  }
   /// Sweeps until what is left is below the tolerance. False where it does not become so. `full`: so many
   /// sweeps have slopes of their own.
   template <class Sweeps>
   bool converge(Sweeps& sweeps, int most, int full) {
-    // What hardly falls is rounding.
-    constexpr double kHardlyFalls = 0.5;
-    const double closest_step =
-        closeness_.step * std::max(std::abs(interval_.chord.argument), interval_.chord.time);
     double before = kFirstChange;
     bool light = false;
     double ratio_before = kSlowest;
@@ -148,7 +151,7 @@ class ArcSweeps {
       const double ratio = interval_.sweeps > 1 ? std::min(change / before, kSlowest) : kSlowest;
       const double rest = change * std::max(ratio, interval_.sweeps > 2 ? ratio_before : kOfSecond);
       if (rest <= closeness_.velocity && largest_step_ < sweeps.largest_step_allowed() &&
-          (largest_step_ <= closest_step || largest_step_ > kHardlyFalls * step_before)) {
+          (kPlain || is_close_enough(step_before))) {
         sweeps.store();
         return true;
       }

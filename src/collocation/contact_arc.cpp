@@ -34,6 +34,8 @@ ContactArc::ContactArc(const rotor::Machine& machine, ArcLaw& law, double tolera
       contact_{&machine_.numbers(), nullptr, 1.0, law.leans()},
       allowed_(kBetweenNodes * rotor_->length_scale *
                std::pow(tolerance / rotor_->length_scale, Predictor::kOrder / kOrderAtEnd)),
+      ring_keeps_load_(!law.ends_at_ring() && !law.is_rigid()),
+      friction_varies_(!law.has_slip_state()),
       earlier_(machine.ring_body() != nullptr, rotor_->length_scale) {
   for (int k = 0; k < blades_->count(); ++k) {
     from_first_.push_back(blades_->direction(k, {1.0, 0.0}));
@@ -94,11 +96,10 @@ double ContactArc::error_of(const Interval& interval) const {
   const double fall_by_four = (fall * fall) * (fall * fall);
   double left_out = last * fall_by_four * fall_by_four;
   // Of a load that makes the ring yield in its own time the ring keeps what is left out between the nodes.
-  const bool ring_keeps = !law_->ends_at_ring() && !law_->is_rigid();
-  if (ring_keeps) left_out = last * fall * fall;
+  if (ring_keeps_load_) left_out = last * fall * fall;
   // Under friction with a velocity those of the force fall as slowly as those of the time, and the last ones
   // of both meet in their product.
-  if (!law_->has_slip_state() && last > 0.0)
+  if (friction_varies_ && last > 0.0)
     left_out = std::max(left_out, last * last * fall / std::max(interval.coefficients[0], last));
   const double at_end = left_out * kLargestIntegral;
   double error = std::max(between / allowed_, at_end / (kAtEnd * tolerance_));

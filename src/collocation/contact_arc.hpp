@@ -305,7 +305,9 @@ class ContactArc {
   std::vector<int> others_;                          ///< blades that do not touch
   std::vector<FurtherStart> further_;                ///< where the next interval starts
   Contact contact_;
-  double allowed_;  ///< error of a velocity between the nodes [m per unit τ]
+  double allowed_;        ///< error of a velocity between the nodes [m per unit τ]
+  bool ring_keeps_load_;  ///< it yields to elastic blades in its own time
+  bool friction_varies_;  ///< with the slip velocity
 
   int blade_ = 0;
   bool begins_ = false;  ///< the next interval is the first of the contact

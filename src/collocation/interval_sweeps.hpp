@@ -396,7 +396,8 @@ bool solved(const Contact& contact, const Closeness& closeness, Interval& interv
   const auto stands = [](const Blade& blade) {
     return blade.yield_unit == 0.0 && blade.ring_damping == 0.0 && blade.axial_unit == 0.0;
   };
-  bool plain = machine.is_plain() && stands(*contact.blade) && !contact.skims;
+  bool plain =
+      machine.is_plain() && stands(*contact.blade) && !contact.skims && !std::isfinite(closeness.step);
   for (const FurtherBlade& further : interval.further)
     plain = plain && stands(*further.blade) && !further.skims;
   return plain ? plain_solved<kPlainWidth>(contact, closeness, interval)

@@ -220,11 +220,13 @@ ending::StatusDetail Motion::begin_mode() {
   const bool rests = any_rests();
   if (!rests && begins_to_skim()) contacts_.front().skims = true;
   under_law_of_rest_ = rests && modes_.has_law_of_rest();
-  std::vector<modes::OpenContact> contacts = contacts_;
-  if (under_law_of_rest_) {
-    for (modes::OpenContact& contact : contacts) contact = modes_.under_law_of_rest(contact);
+  if (!under_law_of_rest_) {
+    phase_ = &modes_.phases().of(contacts_);
+    return phase_->start(time_, state_, contacts_);
   }
-  phase_ = &(under_law_of_rest_ ? modes_.resting() : modes_.phases()).of(contacts);
+  std::vector<modes::OpenContact> contacts = contacts_;
+  for (modes::OpenContact& contact : contacts) contact = modes_.under_law_of_rest(contact);
+  phase_ = &modes_.resting().of(contacts);
   return phase_->start(time_, state_, contacts);
 }
 
