@@ -30,14 +30,7 @@ Flight::Flight(const rotor::Machine& machine)
       supported_(machine.supported()),
       ring_(machine.ring_body()),
       second_slope_(std::sqrt(1.0 + square(2.0 * machine.constants.damping_ratio))) {
-  if (supported_ != nullptr) {
-    forcing_ = supported_->bounds.forcing_bound();
-    return;
-  }
-  forcing_ = harmonics_->amplitude();
-  forcing_rate_ = harmonics_->rate();
-  forcing_rate_of_rate_ = harmonics_->rate_of_rate();
-  if (harmonics_->terms().empty()) harmonics_ = nullptr;
+  if (harmonics_ != nullptr && harmonics_->terms().empty()) harmonics_ = nullptr;
 }
 
 void Flight::start(double time, const rotor::ShaftAndRing& bodies) {
@@ -117,10 +110,11 @@ DerivativeBounds Flight::derivative_bounds(const FlightBound& bound) const {
               bounds.fourth_bound(bound.shaft)};
   } else {
     // z'' is written with z, z' and the forcing, then each derivative with the two before it.
+    const rotor::Harmonics& forcing = *machine_->harmonics();
     const double damping = 2.0 * free_.damping_ratio();
-    const double second = second_slope_ * bound.shaft + forcing_;
-    const double third = damping * second + bound.shaft + forcing_rate_;
-    result = {second, third, damping * third + second + forcing_rate_of_rate_};
+    const double second = second_slope_ * bound.shaft + forcing.amplitude();
+    const double third = damping * second + bound.shaft + forcing.rate();
+    result = {second, third, damping * third + second + forcing.rate_of_rate()};
   }
   if (ring_ != nullptr) {
     result.second += ring_->second_bound(bound.ring_velocity);

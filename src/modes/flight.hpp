@@ -69,8 +69,6 @@ class Flight {
 
   /// Of z − r while its bound holds.
   [[nodiscard]] DerivativeBounds derivative_bounds(const FlightBound& bound) const;
-  /// Bound of the forcing's acceleration [m per unit τ²].
-  [[nodiscard]] double forcing_bound() const { return forcing_; }
 
   /// Price of one state [ns].
   [[nodiscard]] std::int64_t price_of_state() const;
@@ -93,9 +91,6 @@ class Flight {
   const rotor::SupportedShaft* supported_;  ///< null: isotropic
   const rotor::RingBody* ring_;             ///< null where the ring is no body
   double second_slope_;                     ///< of |z''| against (|z|² + |z'|²)^½ on an isotropic shaft
-  double forcing_ = 0.0;                    ///< bound of the forcing,
-  double forcing_rate_ = 0.0;               ///< of its derivative,
-  double forcing_rate_of_rate_ = 0.0;       ///< and of its second derivative, on an isotropic shaft
   double start_ = 0.0;
   rotor::ShaftAndRing at_start_ = rotor::ShaftAndRing::Zero();
   // What reads this flight at equally spaced times, made where it is asked for.

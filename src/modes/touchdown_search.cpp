@@ -70,54 +70,43 @@ TouchdownSearch::TouchdownSearch(const rotor::Machine& machine, std::vector<cont
   }
 }
 
-std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find_by_steps(const Flight& flight, double until,
-                                                                         WorkMeter& meter) {
-  const double from = flight.start_time();
-  clear_until_.assign(clear_until_.size(), from);
-  return by_steps(flight, from, flight.at_start(), until, meter);
-}
-
-std::optional<double> TouchdownSearch::shaft_at_ring(const Flight& flight, double until,
-                                                     WorkMeter& meter) const {
+bool TouchdownSearch::shaft_at_ring(const Flight& flight, double until, WorkMeter& meter) const {
   const contact::Geometry shaft{0.0, blades_.front().ring_radius};
   const double misalignment = machine_->constants.misalignment;
   double time = flight.start_time();
   rotor::ShaftAndRing bodies = flight.at_start();
   const double bound = flight.bound_from_ring(time, bodies, until - time);
-  if (bound + std::abs(misalignment) < shaft.ring_radius) return std::nullopt;
+  if (bound + std::abs(misalignment) < shaft.ring_radius) return false;
   const rotor::State seen = rotor::from_ring(bodies);
-  if (std::hypot(seen[0], seen[1] + misalignment) >= shaft.ring_radius) return time;
+  if (std::hypot(seen[0], seen[1] + misalignment) >= shaft.ring_radius) return true;
   while (meter.spend(Work::flight, WorkPrice::kGap + flight.price_of_state())) {
     const contact::BladeDirection er = machine_->blades.first(time);
     const double step = clear_step(flight, shaft, er, time, bodies, until);
-    if (step <= kTimeResolution * std::max(1.0, time)) return time;
+    if (step <= kTimeResolution * std::max(1.0, time)) return true;
     time += step;
-    if (time >= until) return std::nullopt;
+    if (time >= until) return false;
     bodies = flight.state(time);
   }
-  return std::nullopt;
+  return false;
 }
 
 /// Bound of |g'''|, g = |c|² + 2(rh+L) Re(c e^{−iφ}) + a constant.
-inline double TouchdownSearch::third_bound(const Flight& flight, const FlightBound& bound,
-                                           double reach) const {
+double TouchdownSearch::third_bound(const Flight& flight, const FlightBound& bound, double reach) const {
   const double misalignment = std::abs(machine_->constants.misalignment);
   const double centre = bound.position() + misalignment;  // of |c|
   const double velocity = bound.velocity();
-  const DerivativeBounds of_centre = flight.derivative_bounds(bound);
-  double turned = 0.0;
+  const auto [second, third, fourth] = flight.derivative_bounds(bound);
+  double turned =
+      third + 3.0 * turning_.first * second + 3.0 * turning_.second * velocity + turning_.third * centre;
   if (close_bounds_) {
     // z''' and z'' are written with z, z' and the forcing, and the coefficients of z and z' bounded together:
     // |z|² + |z'|² <= bound².
     const double speed = turning_.first;
     const double damping = 2.0 * machine_->constants.damping_ratio;
-    turned = turning_weight_ * bound.shaft + (damping + 4.0 * speed) * flight.forcing_bound() +
+    turned = turning_weight_ * bound.shaft + (damping + 4.0 * speed) * machine_->harmonics()->amplitude() +
              speed * speed * speed * misalignment;
-  } else {
-    turned = of_centre.third + 3.0 * turning_.first * of_centre.second + 3.0 * turning_.second * velocity +
-             turning_.third * centre;
   }
-  return 6.0 * velocity * of_centre.second + 2.0 * centre * of_centre.third + 2.0 * reach * turned;
+  return 6.0 * velocity * second + 2.0 * centre * third + 2.0 * reach * turned;
 }
 
 double TouchdownSearch::fourth_bound(const Flight& flight, const FlightBound& bound) const {

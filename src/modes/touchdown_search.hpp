@@ -36,13 +36,10 @@ class TouchdownSearch {
 
   /// Nothing also where the meter ends the revolution.
   std::optional<Touchdown> find(const Flight& flight, double until, WorkMeter& meter);
-  /// The same in steps only.
-  std::optional<Touchdown> find_by_steps(const Flight& flight, double until, WorkMeter& meter);
 
-  /// The time before `until` when the shaft's centre reaches the ring, |c| = R, with no blade in contact
-  /// (MODEL 5): the zero of the gap of a blade without length. Nothing also where the meter ends the
-  /// revolution.
-  std::optional<double> shaft_at_ring(const Flight& flight, double until, WorkMeter& meter) const;
+  /// Whether the shaft's centre reaches the ring before `until`, |c| = R, with no blade in contact (MODEL 5):
+  /// the zero of the gap of a blade without length. False also where the meter ends the revolution.
+  bool shaft_at_ring(const Flight& flight, double until, WorkMeter& meter) const;
 
   /// A tip at a time of the flight.
   [[nodiscard]] trajectory::Tip tip(const Flight& flight, int blade, double time) const;
