@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "compared/guards.hpp"
+#include "compared/kind_of_law.hpp"
 #include "contact/tip.hpp"
 #include "modes/contact_setup.hpp"
 #include "modes/law.hpp"
@@ -41,7 +42,7 @@ class ContactMode : public TipPlaces {
   using Bodies = rotor::ShaftAndRing;  ///< what moves, without time and u
 
   explicit ContactMode(const ContactSetup& setup)
-      : TipPlaces(setup), kind_(law_->kind()), limits_(setup.limits), meter_(setup.meter) {
+      : TipPlaces(setup), kind_(*law_), limits_(setup.limits), meter_(setup.meter) {
     contacts_.reserve(static_cast<std::size_t>(blades().count()));
     forces_.reserve(static_cast<std::size_t>(blades().count()));
   }
@@ -65,17 +66,17 @@ class ContactMode : public TipPlaces {
 
   static constexpr double kSmallestSize = 1e-15;  ///< in σ
   /// A tip whose slip velocity comes to zero may rest at once, as in MODEL 7.14.
-  [[nodiscard]] bool rests_at_once() const { return kind_.sticks; }
+  [[nodiscard]] bool rests_at_once() const { return kind_.sticks(); }
   /// The contacts of `trajectory::PathPoint` say how far blades are bent.
   static constexpr bool kBendsFollowPath = false;
 
   /// A guess holds the side to which a blade is bent, or the branch on which it stands: what a step that goes
   /// too far has made of it is no guess for a shorter one.
   void begins_step(const FullState& /*state*/) {
-    if (kind_.remembers) remembered_ = contacts_;
+    if (kind_.remembers()) remembered_ = contacts_;
   }
   void takes_back() {
-    if (kind_.remembers) contacts_ = remembered_;
+    if (kind_.remembers()) contacts_ = remembered_;
   }
 
   /// Pays for an attempt, and for what was asked of the step before. False where no work is left.
@@ -89,7 +90,7 @@ class ContactMode : public TipPlaces {
   /// Near a force that starts or ends like a root of the gap many steps are rejected, and their sizes hang on
   /// the last digits. They come from a coarse grid: a motion that comes to the same place goes on by the same
   /// steps, and repeats itself to rounding instead of to the tolerance.
-  [[nodiscard]] bool has_coarse_sizes() const { return !kind_.load_follows_gap; }
+  [[nodiscard]] bool has_coarse_sizes() const { return !kind_.load_follows_gap(); }
   template <class Step>
   [[nodiscard]] double proposed_size(const Step& /*step*/, double relative) const {
     if (!has_coarse_sizes()) return relative;
@@ -97,7 +98,7 @@ class ContactMode : public TipPlaces {
   }
   template <class Step>
   [[nodiscard]] double scaled_error(const Step& step) const {
-    return error_of(step, acceleration_, kind_.load_follows_gap, [](const FullState&) { return 0.0; });
+    return error_of(step, acceleration_, kind_.load_follows_gap(), [](const FullState&) { return 0.0; });
   }
   /// The first state has been evaluated.
   void begun() { stage_shortening_ = shortening(); }
@@ -149,7 +150,7 @@ class ContactMode : public TipPlaces {
   /// branches.
   [[nodiscard]] double beyond_straight(std::size_t contact, const FullState& state) const {
     const OpenContact& open = contacts_[contact];
-    return -law_->straight_reserve(pose(open.blade, state), open);
+    return -kind_.straight_reserve(pose(open.blade, state), open);
   }
 
   [[nodiscard]] BladeGap gap(int blade, const FullState& state) const {
@@ -182,7 +183,7 @@ class ContactMode : public TipPlaces {
     const double y = seen[1] + rotor().misalignment;
     return seen[0] * seen[0] + y * y - ring_radius() * ring_radius();
   }
-  [[nodiscard]] bool load_follows_gap() const { return kind_.load_follows_gap; }
+  [[nodiscard]] bool load_follows_gap() const { return kind_.load_follows_gap(); }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  protected:
@@ -202,11 +203,13 @@ class ContactMode : public TipPlaces {
     const std::uint64_t evaluations = law_->evaluations();
     const auto unpaid = static_cast<std::int64_t>(evaluations - paid_evaluations_);
     paid_evaluations_ = evaluations;
-    return unpaid * kind_.price_of_curve;
+    return unpaid * kind_.price_of_curve();
   }
   /// Searches without a table can take milliseconds for many blades, and are paid for at once. False where no
   /// work is left.
-  bool pay_curves() const { return !kind_.searches_long || meter_->spend(Work::contact, price_of_curves()); }
+  bool pay_curves() const {
+    return !law_->searches_long() || meter_->spend(Work::contact, price_of_curves());
+  }
   /// Finds the force of a contact and pays for it. False where there is none, or no work left.
   bool respond_paid(const TipPlace& at, OpenContact& contact, contact::TipForce& force) {
     const bool found = law_->respond(at, contact, force);
@@ -217,7 +220,7 @@ class ContactMode : public TipPlaces {
   [[nodiscard]] bool ends_at_ring(int blade, const FullState& state) const {
     if (!law_->releases_at_fold(blade)) return true;
     const auto open = std::ranges::find(contacts_, blade, &OpenContact::blade);
-    return law_->ends_unloaded(pose(blade, state), *open);
+    return kind_.ends_unloaded(pose(blade, state), *open);
   }
 
   /// Called after each evaluation that has found its forces.
@@ -281,11 +284,11 @@ class ContactMode : public TipPlaces {
   /// Guards of the slip of an open contact that is not at rest.
   template <class Mode, class Search>
   static void slip_guard(const Mode& mode, Search& search, std::size_t contact, bool lasts) {
-    if (!mode.kind_.has_slip_state) return;
+    if (!mode.kind_.has_slip_state()) return;
     if (mode.rests_at_once()) return slip_comes_to_rest(mode, search, contact, lasts);
     // Beside a tip at rest each force is searched for anew, which may take a thousand times as long as to
     // carry it: v is taken to turn round once in a step at most.
-    if (mode.kind_.sticks) {
+    if (mode.kind_.sticks()) {
       const WatchedBlade& blade = search.of_contact(contact);
       if (blade.slip_velocity * blade.end_slip_velocity > 0.0) return;
     }
@@ -295,7 +298,7 @@ class ContactMode : public TipPlaces {
   template <class Mode, class Search>
   static void loss_of_validity(const Mode& mode, Search& search, double farthest) {
     shaft_at_ring(mode, search, farthest);
-    if (mode.kind_.load_follows_gap || mode.stage_shortening_ < kFarFromLimit * mode.limits_.max_shortening)
+    if (mode.kind_.load_follows_gap() || mode.stage_shortening_ < kFarFromLimit * mode.limits_.max_shortening)
       return;
     shortening_limit(mode, search);
   }
@@ -314,7 +317,7 @@ class ContactMode : public TipPlaces {
     loss_of_validity(mode, search, bounds.distance);
   }
 
-  Law::Kind kind_;
+  KindOfLaw kind_;
   ContactLimits limits_;
   WorkMeter* meter_;
   std::vector<OpenContact> contacts_;      ///< with the first guesses of their roots

@@ -29,12 +29,12 @@ class Solved : public ContactMode<> {
       if (!add_force(state, first, i, force)) return false;
     }
     set_derivative(state, force, derivative);
-    if (!kind_.load_follows_gap) watch_shortening(shortening());
+    if (!kind_.load_follows_gap()) watch_shortening(shortening());
     return true;
   }
 
   /// No step, however short, finds a force: the branch on which a blade stands has come to its end.
-  [[nodiscard]] ModeEnd without_force() const { return law_->without_force(contacts_[lost_].blade); }
+  [[nodiscard]] ModeEnd without_force() const { return kind_.without_force(contacts_[lost_].blade); }
 
   template <class Search>
   void guards(Search& search) {
@@ -58,9 +58,7 @@ class Solved : public ContactMode<> {
     const Bounds range = bounds(search.step());
     for (std::size_t i = 0; i < contacts_.size(); ++i) slip_guard(*this, search, i, slip_lasts(range));
     loss_of_validity(*this, search, range.distance);
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      if (law_->has_branches(contacts_[i].blade)) buckling(*this, search, i);
-    }
+    for (std::size_t i = 0; kind_.has_branches() && i < contacts_.size(); ++i) buckling(*this, search, i);
   }
 
   /// Adds the force of a contact to that on the rotor [N]; blade 0 stands at `first`. False where there is

@@ -148,7 +148,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
     const auto blades = static_cast<std::int64_t>(system_.blades().size());
     const std::int64_t price =
         modes::WorkPrice::kAttempt + blades * modes::WorkPrice::kGap +
-        static_cast<std::int64_t>(evaluations - paid_evaluations_) * law_->kind().price_of_curve;
+        static_cast<std::int64_t>(evaluations - paid_evaluations_) * modes::WorkPrice::kCurve;
     paid_evaluations_ = evaluations;
     return meter_.spend(modes::Work::contact, price);
   }

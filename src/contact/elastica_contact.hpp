@@ -189,14 +189,6 @@ class ElasticaContact : public ElasticBladeInRing {
   [[nodiscard]] bool closes_in(const Pose& at, double slip, double bending, double angular_speed) const {
     return constraint(at, slip, bending, angular_speed).time_slope > 0.0;
   }
-  /// What the straight branch of the column is short of its end on the receding side, in Euler loads. The
-  /// force goes on smoothly past it (`respond`), so that the end can be located. 1 where there is no such
-  /// end.
-  [[nodiscard]] double straight_reserve(const Pose& at, double slip, double bending) const {
-    const bool ends = may_stand_straight_ && bending == 0.0 && slip * at.tangential < 0.0;
-    return ends ? 1.0 - straight_load(at) / blade::kEulerLoad : 1.0;
-  }
-
   /// F L²/EI of a straight column whose tip lies on the ring: the smaller root of h = 0, which is quadratic
   /// in F at Δ = 0. At most the Euler load where the column is straight indeed.
   [[nodiscard]] double straight_load(const Pose& at) const {

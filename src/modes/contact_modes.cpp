@@ -11,7 +11,7 @@ namespace rubatlas::modes {
 ContactModes::ContactModes(const rotor::Machine& machine, std::unique_ptr<Law> law,
                            const ContactLimits& limits, WorkMeter& meter, MakePhases* make_phases)
     : law_(std::move(law)), setup_{&machine, law_.get(), limits, &meter}, make_phases_(make_phases) {
-  if (law_->may_skim(0)) skimming_judge_.emplace(setup_);
+  if (law_->may_skim()) skimming_judge_.emplace(setup_);
   judge_ = law_->rest_judge(setup_);
   const int count = machine.blades.count();
   std::vector<contact::DirectedElastica> at_rest;
@@ -24,17 +24,15 @@ ContactModes::ContactModes(const rotor::Machine& machine, std::unique_ptr<Law> l
 }
 
 std::int64_t ContactModes::price_of_searches() {
-  const Law::Kind kind = law_->kind();
-  if (!kind.searches_long) return 0;
+  if (!law_->searches_long()) return 0;
   const std::uint64_t evaluations = law_->evaluations();
   return static_cast<std::int64_t>(evaluations - std::exchange(paid_evaluations_, evaluations)) *
-         kind.price_of_curve;
+         WorkPrice::kInclinedCurve;
 }
 
 bool ContactModes::begins_to_skim(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
                                   double hop) const {
-  return skimming_judge_ && law_->may_skim(contacts.front().blade) &&
-         skimming_judge_->begins(state, contacts, hop);
+  return skimming_judge_ && skimming_judge_->begins(state, contacts, hop);
 }
 
 bool ContactModes::let_go(const rotor::ContactState& state, std::vector<OpenContact>& contacts,

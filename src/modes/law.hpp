@@ -16,9 +16,7 @@
 #include "contact/unequal_blades.hpp"
 #include "modes/contact_setup.hpp"
 #include "modes/open_contact.hpp"
-#include "modes/phase.hpp"
 #include "modes/rest_judge.hpp"
-#include "modes/work_meter.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::modes {
@@ -41,48 +39,30 @@ class Law {
   [[nodiscard]] virtual std::unique_ptr<Law> of_shortened(std::span<const double> lost) const = 0;
 
   [[nodiscard]] virtual const contact::Geometry& geometry(int blade) const = 0;
-  /// The force of an open contact where its blade stands; updates its guesses. False where there is none.
-  virtual bool respond(const TipPlace& at, OpenContact& contact, contact::TipForce& force) const = 0;
+  /// The force of an open contact where its blade stands; updates its guesses. False where there is none, or
+  /// where it does not follow from the place of the tip.
+  virtual bool respond(const TipPlace& /*at*/, OpenContact& /*contact*/, contact::TipForce& /*force*/) const {
+    return false;
+  }
   /// c [-] of a tip that slips in the direction s under a force (MODEL 4.3).
   [[nodiscard]] virtual double friction_coefficient(int blade, const contact::TipForce& force,
                                                     double slip) const = 0;
-  struct Kind {
-    bool has_slip_state = true;     ///< friction takes its sign from s, so that a slip reversal is an event
-    bool sticks = false;            ///< a tip whose slip velocity comes to zero may rest at once (MODEL 7.14)
-    bool load_follows_gap = false;  ///< the force follows from the place of the tip alone, and nothing bends
-    bool remembers = false;         ///< the last bending says on which branch or side a blade stands
-    bool lifts_off_inside = false;  ///< an elastic blade may leave the ring where it has pushed it outwards
-    std::int64_t price_of_curve = 0;  ///< of an evaluation of a blade's curve [ns]
-    bool searches_long = false;  ///< without a table a search may take milliseconds, and is paid for at once
-  };
-  [[nodiscard]] virtual Kind kind() const = 0;
+  /// A tip may lift off where its blade has pushed the ring outwards, and touch down there.
+  [[nodiscard]] virtual bool lifts_off_inside() const { return false; }
+  /// Without a table a search may take milliseconds, and is paid for at once.
+  [[nodiscard]] virtual bool searches_long() const { return false; }
   /// How often curves of blades have been evaluated.
   [[nodiscard]] virtual std::uint64_t evaluations() const { return 0; }
-  /// What it means that a blade finds no force.
-  [[nodiscard]] virtual ModeEnd without_force(int /*blade*/) const {
-    return {Guard::left_validity, -1, ending::StatusDetail::no_equilibrium};
-  }
   /// The law of the arcs of these contacts; null where they have none.
   [[nodiscard]] virtual std::unique_ptr<collocation::ArcLaw> arcs(const rotor::Machine& machine,
                                                                   double max_shortening) const = 0;
 
   // Ends of a contact and of its branch.
 
-  [[nodiscard]] virtual bool has_branches(int /*blade*/) const { return false; }
   /// The contact of a blade goes on beyond the ring while it has a force.
   [[nodiscard]] virtual bool releases_at_fold(int /*blade*/) const { return false; }
-  /// Whether the force of a contact vanishes with the gap where its tip stands.
-  [[nodiscard]] virtual bool ends_unloaded(const contact::Pose& /*at*/,
-                                           const OpenContact& /*contact*/) const {
-    return true;
-  }
-  /// What a straight column is short of the end of its branch, in Euler loads.
-  [[nodiscard]] virtual double straight_reserve(const contact::Pose& /*at*/,
-                                                const OpenContact& /*contact*/) const {
-    return 1.0;
-  }
   /// Tips that hop without end skim (MODEL 4.9).
-  [[nodiscard]] virtual bool may_skim(int /*blade*/) const { return false; }
+  [[nodiscard]] virtual bool may_skim() const { return false; }
 
   // Resets of one contact.
 

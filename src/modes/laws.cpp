@@ -40,7 +40,7 @@ std::unique_ptr<ArcLaw> LawOfRigidBlades::arcs(const rotor::Machine& machine,
 }
 
 std::unique_ptr<RestJudge> LawOfRigidBlades::rest_judge(const ContactSetup& setup) const {
-  return kind().sticks ? std::make_unique<RestOfRigidBlades>(setup) : nullptr;
+  return sticks() ? std::make_unique<RestOfRigidBlades>(setup) : nullptr;
 }
 
 // Elastic blades on a ring with dampers.
@@ -77,7 +77,7 @@ std::unique_ptr<ArcLaw> LawOfInclinedLoads::arcs(const rotor::Machine& machine, 
 }
 
 std::unique_ptr<RestJudge> LawOfInclinedLoads::rest_judge(const ContactSetup& setup) const {
-  return kind().sticks ? std::make_unique<RestOfElasticBlades>(setup) : nullptr;
+  return sticks() ? std::make_unique<RestOfElasticBlades>(setup) : nullptr;
 }
 
 /// None where friction depends on the slip velocity, or tips stick anyway.
@@ -132,7 +132,8 @@ bool LawOfAxialLoads::open(const TipPlace& at, OpenContact& contact) const {
 Standing LawOfAxialLoads::keep(const TipPlace& at, OpenContact& contact) const {
   const auto& blade = of(contact.blade);
   const bool outside = at.pose.gap <= 0.0;
-  if (at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose) && ends_unloaded(at.pose, contact)) {
+  if (at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose) &&
+      blade.ends_unloaded(at.pose, contact.slip, contact.bending)) {
     contact.bending = 0.0;
     return outside ? Standing::free : Standing::stands;
   }

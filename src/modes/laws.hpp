@@ -25,16 +25,11 @@ class LawOfRigidBlades final : public LawOfBlades<LawOfRigidBlades, contact::Ela
     force = of(contact.blade).force(at.pose, contact.slip, at.speed);
     return true;
   }
-  [[nodiscard]] Kind kind() const override {
-    const contact::Friction& friction = of(0).friction();
-    return {.has_slip_state = friction.has_slip_state(),
-            .sticks = friction.sticks,
-            .load_follows_gap = !has_damper()};
-  }
   [[nodiscard]] std::unique_ptr<collocation::ArcLaw> arcs(const rotor::Machine& machine,
                                                           double max_shortening) const override;
   [[nodiscard]] std::unique_ptr<RestJudge> rest_judge(const ContactSetup& setup) const override;
   [[nodiscard]] bool has_damper() const { return of(0).damping() > 0.0; }
+  [[nodiscard]] bool sticks() const { return of(0).friction().sticks; }
 };
 
 /// Elastic blades on a ring with dampers, which yields in its own time. On the receding side a blade stands
@@ -43,14 +38,7 @@ class LawOfDampedRing final : public LawOfBlades<LawOfDampedRing, contact::Elast
  public:
   using LawOfBlades::LawOfBlades;
 
-  /// Where its blade stands in the ring that yields by y, the `yielding` of the contact.
-  bool respond(const TipPlace& at, OpenContact& contact, contact::TipForce& force) const override {
-    return of(contact.blade)
-        .respond(at.pose, contact.slip, at.speed, contact.yielding, contact.bending, force);
-  }
-  [[nodiscard]] Kind kind() const override {
-    return {.lifts_off_inside = true, .price_of_curve = WorkPrice::kCurve};
-  }
+  [[nodiscard]] bool lifts_off_inside() const override { return true; }
   [[nodiscard]] std::uint64_t evaluations() const override { return blades().evaluations(); }
   [[nodiscard]] std::unique_ptr<collocation::ArcLaw> arcs(const rotor::Machine& machine,
                                                           double max_shortening) const override;
@@ -73,16 +61,10 @@ class LawOfInclinedLoads final : public LawOfBlades<LawOfInclinedLoads, contact:
   bool respond(const TipPlace& at, OpenContact& contact, contact::TipForce& force) const override {
     return of(contact.blade).respond(at.pose, contact.slip, at.speed, contact.bend, force);
   }
-  [[nodiscard]] Kind kind() const override {
-    const contact::Friction& friction = of(0).friction();
-    return {.has_slip_state = friction.has_slip_state(),
-            .sticks = friction.sticks && rests_at_once_,
-            .remembers = true,
-            .price_of_curve = WorkPrice::kInclinedCurve,
-            .searches_long = true};
-  }
+  /// A tip whose slip velocity comes to zero may rest at once (MODEL 7.14).
+  [[nodiscard]] bool sticks() const { return of(0).friction().sticks && rests_at_once_; }
+  [[nodiscard]] bool searches_long() const override { return true; }
   [[nodiscard]] std::uint64_t evaluations() const override { return blades().evaluations(); }
-  [[nodiscard]] ModeEnd without_force(int blade) const override { return {Guard::snap, blade}; }
   [[nodiscard]] std::unique_ptr<collocation::ArcLaw> arcs(const rotor::Machine& machine,
                                                           double max_shortening) const override;
 
@@ -105,32 +87,14 @@ class LawOfAxialLoads final : public LawOfBlades<LawOfAxialLoads, contact::Elast
   bool respond(const TipPlace& at, OpenContact& contact, contact::TipForce& force) const override {
     return of(contact.blade).respond(at.pose, contact.slip, at.speed, contact.bending, force);
   }
-  [[nodiscard]] Kind kind() const override {
-    return {.remembers = true, .price_of_curve = WorkPrice::kCurve};
-  }
   [[nodiscard]] std::uint64_t evaluations() const override { return blades().evaluations(); }
-  /// The branch on which the blade stands has come to its end.
-  [[nodiscard]] ModeEnd without_force(int blade) const override {
-    if (has_branches(blade)) return {Guard::snap, blade};
-    if (releases_at_fold(blade)) return {Guard::lift_off, blade};
-    return Law::without_force(blade);
-  }
   [[nodiscard]] std::unique_ptr<collocation::ArcLaw> arcs(const rotor::Machine& machine,
                                                           double max_shortening) const override;
 
-  [[nodiscard]] bool has_branches(int blade) const override { return of(blade).has_branches(); }
   [[nodiscard]] bool releases_at_fold(int blade) const override { return of(blade).releases_at_fold(); }
-  [[nodiscard]] bool ends_unloaded(const contact::Pose& at, const OpenContact& contact) const override {
-    return of(contact.blade).ends_unloaded(at, contact.slip, contact.bending);
-  }
-  [[nodiscard]] double straight_reserve(const contact::Pose& at, const OpenContact& contact) const override {
-    return of(contact.blade).straight_reserve(at, contact.slip, contact.bending);
-  }
   /// A blade released at the fold returns from a finite distance, and the force of a compressed column starts
   /// from zero: neither hops without end.
-  [[nodiscard]] bool may_skim(int blade) const override {
-    return !releases_at_fold(blade) && !of(blade).may_stand_straight();
-  }
+  [[nodiscard]] bool may_skim() const override { return !releases_at_fold(0) && !of(0).may_stand_straight(); }
 
   /// A contact opens on the approaching side from zero force, on the receding side from a finite one (MODEL
   /// 4.2).
