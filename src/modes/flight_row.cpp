@@ -9,8 +9,8 @@
 namespace rubatlas::modes {
 namespace {
 
-/// An angle [rad] below which the first terms that `turn_by` leaves out, angle^15/15! and angle^16/16!, are
-/// less than 3e-17.
+/// An angle [rad] below which the first terms that `turned_by_small` leaves out, angle^15/15! and
+/// angle^16/16!, are less than 3e-17.
 constexpr double kFarTurnedInRow = 0.5;
 constexpr std::array kSine{-1.0 / 6.0,     1.0 / 120.0,       -1.0 / 5040.0,
                            1.0 / 362880.0, -1.0 / 39916800.0, 1.0 / 6227020800.0};
@@ -26,51 +26,38 @@ RowValues polynomial(const std::array<double, kCount>& coefficients, const RowVa
 }
 
 /// Directions turned by small angles, by the series of sine and cosine.
-void turn_by(const RowValues& angle, RowValues& cosine, RowValues& sine) {
+DirectionsOfRow turned_by_small(const DirectionsOfRow& from, const RowValues& angle) {
   const RowValues square = angle * angle;
   const RowValues of_sine = angle + angle * square * polynomial(kSine, square);
   const RowValues of_cosine_less_one = square * polynomial(kCosine, square);
-  const RowValues before = cosine;
-  cosine += cosine * of_cosine_less_one - sine * of_sine;
-  sine += sine * of_cosine_less_one + before * of_sine;
+  const DirectionsOfRow change = from.turned(DirectionsOfRow{of_cosine_less_one, of_sine});
+  return {from.cosine + change.cosine, from.sine + change.sine};
+}
+
+DirectionsOfRow of_angles(const RowValues& angles) {
+  return {angles.unaryExpr([](double angle) { return std::cos(angle); }),
+          angles.unaryExpr([](double angle) { return std::sin(angle); })};
 }
 
 }  // namespace
 
 TurnRow::TurnRow(const rotor::BladeSet& blades, double spacing)
     : blades_(&blades), speed_at_start_(blades.mean_speed()) {
-  for (int i = 0; i < kTimesOfRow; ++i) {
-    const double elapsed = (i + 1) * spacing;
-    mean_cosine_[i] = std::cos(blades.mean_speed() * elapsed);
-    mean_sine_[i] = std::sin(blades.mean_speed() * elapsed);
-    ripple_cosine_[i] = std::cos(blades.ripple_frequency() * elapsed);
-    ripple_sine_[i] = std::sin(blades.ripple_frequency() * elapsed);
-  }
-  cosine_ = mean_cosine_;
-  sine_ = mean_sine_;
+  const RowValues elapsed = spacing * RowValues::LinSpaced(1.0, double{kTimesOfRow});
+  mean_ = turned_ = of_angles(blades.mean_speed() * elapsed);
+  ripple_ = of_angles(blades.ripple_frequency() * elapsed);
   speed_.setConstant(speed_at_start_);
 }
 
 void TurnRow::start_in_ripple(double time) {
-  const contact::BladeDirection ripple = blades_->ripple(time);
-  const RowValues cosine = ripple.cosine * ripple_cosine_ - ripple.sine * ripple_sine_;
-  const RowValues sine = ripple.sine * ripple_cosine_ + ripple.cosine * ripple_sine_;
+  const contact::BladeDirection start = blades_->ripple(time);
+  const auto [cosine, sine] = ripple_.turned(start);
   const double amplitude = blades_->ripple_amplitude();
-  speed_at_start_ = blades_->mean_speed() * (1.0 + amplitude * ripple.cosine);
+  speed_at_start_ = blades_->mean_speed() * (1.0 + amplitude * start.cosine);
   speed_ = blades_->mean_speed() * (1.0 + amplitude * cosine);
-  const RowValues ahead = blades_->ripple_depth() * (sine - ripple.sine);
-  cosine_ = mean_cosine_;
-  sine_ = mean_sine_;
-  if (ahead.abs().maxCoeff() < kFarTurnedInRow) {
-    turn_by(ahead, cosine_, sine_);
-    return;
-  }
-  for (int i = 0; i < kTimesOfRow; ++i) {
-    const double turned_cosine = std::cos(ahead[i]);
-    const double turned_sine = std::sin(ahead[i]);
-    cosine_[i] = mean_cosine_[i] * turned_cosine - mean_sine_[i] * turned_sine;
-    sine_[i] = mean_sine_[i] * turned_cosine + mean_cosine_[i] * turned_sine;
-  }
+  const RowValues ahead = blades_->ripple_depth() * (sine - start.sine);
+  turned_ = ahead.abs().maxCoeff() < kFarTurnedInRow ? turned_by_small(mean_, ahead)
+                                                     : mean_.turned(of_angles(ahead));
 }
 
 FlightRow::FlightRow(const rotor::Machine& machine, double spacing)
@@ -78,7 +65,7 @@ FlightRow::FlightRow(const rotor::Machine& machine, double spacing)
       states_(machine, spacing),
       turn_(machine.blades, spacing) {
   if (const rotor::RingBody* body = machine.ring_body())
-    ring_ = Ring{FreeRow(body->free_motion(), body->frequency() * spacing), body->frequency(), {}};
+    ring_.emplace(body->free_motion(), body->frequency(), spacing);
 }
 
 void FlightRow::start(double time, const rotor::ShaftAndRing& bodies, double fourth_bound) {
@@ -88,14 +75,8 @@ void FlightRow::start(double time, const rotor::ShaftAndRing& bodies, double fou
   states_.start(time, rotor::shaft(bodies));
   seen_ = states_.states();
   if (ring_) {
-    const rotor::RingBody::State from = rotor::ring(bodies);
-    for (std::size_t i = 0; i < 2; ++i) {
-      const auto place = static_cast<Eigen::Index>(i);
-      ring_->free.move(from[place], from[place + 2] / ring_->frequency, ring_->states[i],
-                       ring_->states[i + 2]);
-      ring_->states[i + 2] *= ring_->frequency;
-    }
-    for (std::size_t i = 0; i < 4; ++i) seen_[i] -= ring_->states[i];
+    ring_->move(rotor::ring(bodies), ring_states_);
+    for (std::size_t i = 0; i < 4; ++i) seen_[i] -= ring_states_[i];
   }
   auto& [x, y, vx, vy] = seen_;
   y += misalignment_;
@@ -119,7 +100,7 @@ double FlightRow::crossing(const Gaps& gaps, int interval) const {
 rotor::ShaftAndRing FlightRow::state(int i) const {
   rotor::ShaftAndRing bodies = rotor::shaft_and_ring(states_.state(i));
   if (ring_) {
-    for (std::size_t k = 0; k < 4; ++k) bodies[static_cast<Eigen::Index>(4 + k)] = ring_->states[k][i];
+    for (std::size_t k = 0; k < 4; ++k) bodies[static_cast<Eigen::Index>(4 + k)] = ring_states_[k][i];
   }
   return bodies;
 }

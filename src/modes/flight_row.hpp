@@ -20,6 +20,17 @@
 
 namespace rubatlas::modes {
 
+/// Directions at the times of a row.
+struct DirectionsOfRow {
+  RowValues cosine, sine;
+
+  /// Each turned by an angle, as a direction of that angle has it.
+  template <class Direction>
+  [[nodiscard]] DirectionsOfRow turned(const Direction& by) const {
+    return {cosine * by.cosine - sine * by.sine, sine * by.cosine + cosine * by.sine};
+  }
+};
+
 /// How the hub turns until eight equally spaced times.
 class TurnRow {
  public:
@@ -32,8 +43,7 @@ class TurnRow {
   }
 
   /// Of the angle by which the hub turns from the start of the row.
-  [[nodiscard]] const RowValues& cosine() const { return cosine_; }
-  [[nodiscard]] const RowValues& sine() const { return sine_; }
+  [[nodiscard]] const DirectionsOfRow& turned() const { return turned_; }
   /// φ' at the start of the row, and at its times [per unit τ].
   [[nodiscard]] double speed_at_start() const { return speed_at_start_; }
   [[nodiscard]] const RowValues& speed() const { return speed_; }
@@ -42,9 +52,9 @@ class TurnRow {
   void start_in_ripple(double time);
 
   const rotor::BladeSet* blades_;
-  RowValues mean_cosine_, mean_sine_;      ///< of the angle at the mean speed
-  RowValues ripple_cosine_, ripple_sine_;  ///< of the angle by which the ripple goes on
-  RowValues cosine_, sine_;
+  DirectionsOfRow mean_;    ///< of the angle at the mean speed
+  DirectionsOfRow ripple_;  ///< of the angle by which the ripple goes on
+  DirectionsOfRow turned_;
   double speed_at_start_;
   RowValues speed_;
 };
@@ -72,8 +82,7 @@ class FlightRow {
   [[nodiscard]] Gaps gaps(const contact::Geometry& geometry, const contact::BladeDirection& er) const {
     const contact::Pose at_start =
         contact::pose(geometry, er, start_[0], start_[1] + misalignment_, start_[2], start_[3]);
-    const RowValues cosine = er.cosine * turn_.cosine() - er.sine * turn_.sine();
-    const RowValues sine = er.sine * turn_.cosine() + er.cosine * turn_.sine();
+    const auto [cosine, sine] = turn_.turned().turned(er);
     const double reach = 2.0 * geometry.reach;
     const auto& [x, y, vx, vy] = seen_;
     return {at_start.gap, contact::gap_rate(geometry, at_start, turn_.speed_at_start()),
@@ -122,13 +131,6 @@ class FlightRow {
   }
 
  private:
-  /// A ring that is a body.
-  struct Ring {
-    FreeRow free;
-    double frequency;          ///< ν [-]
-    StateRow::OfState states;  ///< [m], [m per unit τ]
-  };
-
   static constexpr double kOfRate = 2.31;  ///< √3/216 over 1/288, which is in `remainder`
   /// Of an interval: gap [m²] and its rate.
   struct Ends {
@@ -141,10 +143,11 @@ class FlightRow {
 
   double misalignment_;
   StateRow states_;
-  std::optional<Ring> ring_;
+  std::optional<FreeRow> ring_;  ///< that is a body
   TurnRow turn_;
   rotor::State start_ = rotor::State::Zero();
-  StateRow::OfState seen_;          ///< c and c', of the shaft as seen from the ring
+  StatesOfRow ring_states_;
+  StatesOfRow seen_;                ///< c and c', of the shaft as seen from the ring
   RowValues square_, square_rate_;  ///< |c|² and its derivative
   double remainder_ = 0.0;
 };

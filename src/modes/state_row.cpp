@@ -10,7 +10,7 @@
 namespace rubatlas::modes {
 
 StateRow::StateRow(const rotor::Machine& machine, double spacing)
-    : spacing_(spacing), isotropic_(rotor::FreeMotion(machine.constants.damping_ratio), spacing) {
+    : spacing_(spacing), isotropic_(rotor::FreeMotion(machine.constants.damping_ratio), 1.0, spacing) {
   if (const rotor::Harmonics* harmonics = machine.harmonics()) {
     const rotor::FreeMotion free(machine.constants.damping_ratio);
     for (const rotor::Harmonic& term : harmonics->terms()) {
@@ -54,8 +54,7 @@ StateRow::StateRow(const rotor::Machine& machine, double spacing)
 
 void StateRow::start(double time, const rotor::State& state) {
   if (supported_.empty()) {
-    isotropic_.move(state[0], state[2], states_[0], states_[2]);
-    isotropic_.move(state[1], state[3], states_[1], states_[3]);
+    isotropic_.move(state, states_);
   } else {
     for (std::size_t to = 0; to < 4; ++to)
       states_[to] = (state[0] * supported_[0][to] + state[1] * supported_[1][to]) +

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "rotor/constants.hpp"
@@ -18,23 +19,32 @@ using RowValues = Eigen::Array<double, kTimesOfRow, 1>;
 /// adds up.
 constexpr int kRowsFromClosedForm = 16;
 
-/// z'' + 2ζ z' + z = 0 one to eight times a duration after its start.
+/// Of x, y [m], x', y' [m per unit τ].
+using StatesOfRow = std::array<RowValues, 4>;
+
+/// z'' + 2ζν z' + ν² z = 0 one to eight spacings after its start.
 class FreeRow {
  public:
-  FreeRow(const rotor::FreeMotion& free, double duration) : damping_ratio_(free.damping_ratio()) {
+  /// `frequency`: ν [-].
+  FreeRow(const rotor::FreeMotion& free, double frequency, double spacing)
+      : damping_ratio_(free.damping_ratio()), frequency_(frequency) {
     for (int i = 0; i < kTimesOfRow; ++i) {
-      const auto kernel = free.kernel((i + 1) * duration);
+      const auto kernel = free.kernel((i + 1) * (frequency * spacing));
       cosine_[i] = kernel.cosine;
       sine_[i] = kernel.sine;
     }
   }
-  void move(double place, double velocity, RowValues& places, RowValues& velocities) const {
-    places = place * cosine_ + (velocity + damping_ratio_ * place) * sine_;
-    velocities = velocity * cosine_ - (place + damping_ratio_ * velocity) * sine_;
+  void move(const rotor::State& from, StatesOfRow& states) const {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double place = from[static_cast<Eigen::Index>(i)];
+      const double velocity = from[static_cast<Eigen::Index>(i + 2)] / frequency_;
+      states[i] = place * cosine_ + (velocity + damping_ratio_ * place) * sine_;
+      states[i + 2] = frequency_ * (velocity * cosine_ - (place + damping_ratio_ * velocity) * sine_);
+    }
   }
 
  private:
-  double damping_ratio_;
+  double damping_ratio_, frequency_;
   RowValues cosine_, sine_;  ///< `FreeMotion::kernel`
 };
 
@@ -50,8 +60,7 @@ class StateRow {
   /// spacings.
   void start(double time, const rotor::State& state);
 
-  using OfState = std::array<RowValues, 4>;  ///< of x, y [m], x', y' [m per unit τ]
-  [[nodiscard]] const OfState& states() const { return states_; }
+  [[nodiscard]] const StatesOfRow& states() const { return states_; }
   [[nodiscard]] rotor::State state(int i) const {
     return {states_[0][i], states_[1][i], states_[2][i], states_[3][i]};
   }
@@ -59,17 +68,17 @@ class StateRow {
  private:
   /// What a forcing does to a shaft at rest.
   struct Response {
-    double frequency;  ///< ν [per unit τ]
-    OfState along;     ///< of the forcing as it is at τ = 0
-    OfState across;    ///< of the same a quarter of a turn later
+    double frequency;    ///< ν [per unit τ]
+    StatesOfRow along;   ///< of the forcing as it is at τ = 0
+    StatesOfRow across;  ///< of the same a quarter of a turn later
   };
 
   double spacing_;
   FreeRow isotropic_;
-  std::vector<OfState>
+  std::vector<StatesOfRow>
       supported_;  ///< of another support: four, what the state follows from each of its parts
   std::vector<Response> responses_;
-  OfState states_;
+  StatesOfRow states_;
 };
 
 }  // namespace rubatlas::modes
