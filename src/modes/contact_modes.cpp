@@ -10,16 +10,17 @@ namespace rubatlas::modes {
 
 ContactModes::ContactModes(const rotor::Machine& machine, std::unique_ptr<Law> law,
                            const ContactLimits& limits, WorkMeter& meter, MakePhases* make_phases)
-    : law_(std::move(law)), setup_{&machine, law_.get(), limits, &meter}, make_phases_(make_phases) {
+    : TipPlaces({&machine, law.get(), limits, &meter}),
+      own_law_(std::move(law)),
+      setup_{&machine, law_, limits, &meter},
+      make_phases_(make_phases) {
   if (law_->may_skim()) skimming_judge_.emplace(setup_);
   judge_ = law_->rest_judge(setup_);
-  const int count = machine.blades.count();
   std::vector<contact::DirectedElastica> at_rest;
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < machine.blades.count(); ++k) {
     if (auto law_of_rest = law_->law_of_rest(k)) at_rest.push_back(std::move(*law_of_rest));
   }
-  if (at_rest.size() == static_cast<std::size_t>(count))
-    tips_at_rest_.emplace(contact::UnequalBlades(std::move(at_rest)), setup_);
+  if (!at_rest.empty()) tips_at_rest_.emplace(contact::UnequalBlades(std::move(at_rest)), setup_);
   if (machine.following_ring() != nullptr) ring_placer_.emplace(setup_);
 }
 
@@ -64,8 +65,7 @@ void ContactModes::set_out_from_rest(rotor::ShaftAndRing& state, const TipPlace&
   if (!law_->respond(at, contact, force) || !(force.normal > 0.0)) return;
   if (!(contact.slip * force.slip_velocity < 0.0)) return;
   // The force is −F (n + c t), t = i n.
-  const rotor::BladeSet& blades = setup_.machine->blades;
-  const contact::BladeDirection er = blades.direction(contact.blade, blades.first(time));
+  const contact::BladeDirection er = blades().direction(contact.blade, blades().first(time));
   const double coefficient = law_->friction_coefficient(contact.blade, force, contact.slip);
   const std::complex<double> tangent =
       -contact::on_rotor(force, er) / (force.normal * std::complex<double>(coefficient, -1.0));

@@ -17,13 +17,14 @@
 #include "modes/rest_of_elastic_blades.hpp"
 #include "modes/ring_placer.hpp"
 #include "modes/skimming_judge.hpp"
+#include "modes/tip_places.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::modes {
 
-class ContactModes {
+class ContactModes : public TipPlaces {
  public:
   /// Machine and meter outlive the modes.
   ContactModes(const rotor::Machine& machine, std::unique_ptr<Law> law, const ContactLimits& limits,
@@ -54,20 +55,16 @@ class ContactModes {
   [[nodiscard]] bool begins_to_skim(const rotor::ContactState& state,
                                     const std::vector<OpenContact>& contacts, double hop) const;
 
+  /// Of a ring without mass.
+  [[nodiscard]] const std::optional<RingPlacer>& ring_placer() const { return ring_placer_; }
+
   // Rest.
 
-  /// A tip whose slip velocity comes to zero may rest at once.
-  [[nodiscard]] bool tips_stick() const { return judge_ != nullptr; }
+  /// Of tips that may rest at once where their slip velocity comes to zero; null where they do not.
+  [[nodiscard]] RestJudge* rest_judge() const { return judge_.get(); }
   /// Tips that rest do so under another law.
   [[nodiscard]] bool has_law_of_rest() const { return tips_at_rest_.has_value(); }
-  /// The functions of `RestJudge` of these names; where no tip can rest there is nothing to judge.
-  bool settle(const rotor::ContactState& state, std::vector<OpenContact>& contacts,
-              const RestJudge::Tell& tell) {
-    return !judge_ || judge_->settle(state, contacts, tell);
-  }
-  bool arrest(const rotor::ContactState& state, std::vector<OpenContact>& contacts, std::size_t contact) {
-    return judge_ && judge_->arrest(state, contacts, contact);
-  }
+  /// `RestJudge::let_go`, under whichever law the tip has been at rest.
   bool let_go(const rotor::ContactState& state, std::vector<OpenContact>& contacts, std::size_t contact);
   /// The limit of slip reversals that accumulate: the tip comes to rest where friction can hold it. False,
   /// and nothing changed, where friction cannot hold it yet.
@@ -81,14 +78,6 @@ class ContactModes {
   /// A contact under the law of tips at rest, as another motion takes it over: a tip at rest comes loose
   /// where the machine changes, and s becomes the side to which its blade is bent.
   void leave_law_of_rest(OpenContact& contact) const;
-
-  // A ring without mass.
-
-  /// `RingPlacer::settle`.
-  bool place_ring(rotor::ShaftAndRing& state, double time, std::vector<OpenContact>& contacts,
-                  const RingPlacer::Touches& touches) const {
-    return !ring_placer_ || ring_placer_->settle(state, time, contacts, touches);
-  }
 
  private:
   /// Tips that always slip, and come to rest where their slip reversals accumulate, under another law.
@@ -107,7 +96,7 @@ class ContactModes {
     return *phases;
   }
 
-  std::unique_ptr<Law> law_;
+  std::unique_ptr<Law> own_law_;
   ContactSetup setup_;
   std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price has been told
   MakePhases* make_phases_;

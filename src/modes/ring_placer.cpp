@@ -38,21 +38,17 @@ bool RingPlacer::settle(rotor::ShaftAndRing& bodies, double time, std::vector<Op
     if (leaves != contacts.end()) {
       contacts.erase(leaves);
     } else if (enters < 0) {
-      return slide(full, contacts);
+      // All contacts have to slip in the direction of their s.
+      return std::ranges::all_of(contacts, [&](const OpenContact& contact) {
+        const double velocity = contact::undeformed_slip_velocity(
+            law_->geometry(contact.blade), pose(contact.blade, full), angular_speed(full));
+        return contact.slip * velocity >= -slip_rounding(full);
+      });
     } else if (!touches(enters)) {
       return false;
     }
   }
   return false;
-}
-
-/// All contacts slip in the direction of their s.
-bool RingPlacer::slide(const State& state, const std::vector<OpenContact>& contacts) const {
-  return std::ranges::all_of(contacts, [&](const OpenContact& contact) {
-    const double velocity = contact::undeformed_slip_velocity(
-        law_->geometry(contact.blade), pose(contact.blade, state), angular_speed(state));
-    return contact.slip * velocity >= -slip_rounding(state);
-  });
 }
 
 }  // namespace rubatlas::modes

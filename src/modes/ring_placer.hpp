@@ -25,9 +25,6 @@ class RingPlacer : public TipPlaces {
   /// (MODEL 5).
   bool settle(rotor::ShaftAndRing& bodies, double time, std::vector<OpenContact>& contacts,
               const Touches& touches) const;
-
- private:
-  [[nodiscard]] bool slide(const State& state, const std::vector<OpenContact>& contacts) const;
 };
 
 }  // namespace rubatlas::modes

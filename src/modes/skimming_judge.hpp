@@ -41,9 +41,8 @@ class SkimmingJudge : public TipPlaces {
       const State& state, const std::vector<OpenContact>& contacts) const;
 
  private:
-  struct FreeMotion;
-  [[nodiscard]] FreeMotion free_motion(const State& state, int blade,
-                                       const std::complex<double>& others) const;
+  [[nodiscard]] double free_curvature(const State& state, int blade,
+                                      const std::complex<double>& others) const;
   [[nodiscard]] contact::BladeDirection direction(const State& state, int blade) const {
     return blades().direction(blade, first_blade(state));
   }

@@ -56,7 +56,8 @@ ending::PointStatus Motion::start(const rotor::ShaftAndRing& state, double time,
   ended_by_ = touching != kNoBlade ? modes::Guard::touch_down : modes::Guard::horizon;
   if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
   if (!flight_.resolves(machine_.constants.period())) return ends(ending::StatusDetail::beyond_precision);
-  if (!modes_.settle(unbent(), contacts_, [](const modes::OpenContact&) {}))
+  modes::RestJudge* judge = modes_.rest_judge();
+  if (judge != nullptr && !judge->settle(unbent(), contacts_, [](const modes::OpenContact&) {}))
     return ends(ending::StatusDetail::slip_undecided);
   return ends(state_.isFinite().all() ? ending::StatusDetail::none : ending::StatusDetail::beyond_precision);
 }
@@ -242,21 +243,12 @@ bool Motion::begins_to_skim() {
 
 // Contacts.
 
-modes::TipPlace Motion::place(int blade) const {
-  const rotor::BladeSet& blades = machine_.blades;
-  return {rotor::pose_of(machine_.constants, law().geometry(blade),
-                         blades.direction(blade, blades.first(time_)), rotor::from_ring(state_)),
-          blades.angular_speed(time_)};
-}
-
 /// Opens the contact of a blade at the tip's place. False where no force exists (MODEL 5).
 bool Motion::open(int blade, const modes::TipPlace& at) {
-  const contact::Geometry& geometry = law().geometry(blade);
-  const double velocity = contact::undeformed_slip_velocity(geometry, at.pose, at.speed);
+  const double velocity = contact::undeformed_slip_velocity(law().geometry(blade), at.pose, at.speed);
   modes::OpenContact contact{blade, velocity >= 0.0 ? 1.0 : -1.0, 0.0};
-  const double rounding =
-      contact::slip_rounding(machine_.constants.speed_ratio * geometry.ring_radius, state_[2], state_[3]);
-  if (modes_.tips_stick() && std::abs(velocity) <= rounding) contact.slip = 0.0;
+  if (modes_.rest_judge() != nullptr && std::abs(velocity) <= modes_.slip_rounding(state_))
+    contact.slip = 0.0;
   if (!law().open(at, contact)) return false;
   contacts_.push_back(contact);
   return true;
@@ -272,14 +264,17 @@ bool Motion::keep(modes::OpenContact contact, const modes::TipPlace& at) {
 }
 
 bool Motion::place_ring() {
-  return modes_.place_ring(state_, time_, contacts_, [this](int blade) { return open(blade, place(blade)); });
+  const auto touches = [this](int blade) { return open(blade, place(blade)); };
+  const auto& placer = modes_.ring_placer();
+  return !placer || placer->settle(state_, time_, contacts_, touches);
 }
 
 /// Frees the tips at rest that friction cannot hold after an event of one blade; the listener is told of the
 /// others.
 ending::StatusDetail Motion::settle_others(int blade, modes::MotionListener& listener) {
-  if (!any_rests()) return ending::StatusDetail::none;
-  const bool settled = modes_.settle(unbent(), contacts_, [&](const modes::OpenContact& other) {
+  modes::RestJudge* judge = modes_.rest_judge();
+  if (judge == nullptr || !any_rests()) return ending::StatusDetail::none;
+  const bool settled = judge->settle(unbent(), contacts_, [&](const modes::OpenContact& other) {
     if (other.blade != blade) tell(listener, modes::Guard::comes_loose, other.blade, other.slip);
   });
   return settled ? ending::StatusDetail::none : ending::StatusDetail::slip_undecided;
@@ -379,11 +374,11 @@ ending::StatusDetail Motion::reverse_slip(Contact contact, modes::MotionListener
   ++work_.slip_reversals;
   ending::StatusDetail settled = ending::StatusDetail::none;
   const double cycle = reversal_cycle(*contact);
-  if (modes_.tips_stick()) {
+  if (modes::RestJudge* judge = modes_.rest_judge()) {
     // Nothing moves: it neither rests nor slips.
     if (!(cycle > 0.0)) return ending::StatusDetail::slip_undecided;
     const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
-    if (!modes_.arrest(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
+    if (!judge->arrest(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
     settled = settle_others(contact->blade, listener);
   } else {
     const bool accumulated = cycle < kShortestCycle;  // MODEL 4.4

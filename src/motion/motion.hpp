@@ -64,8 +64,8 @@ class Motion final : public PointMotion {
 
   // Contacts.
   [[nodiscard]] const modes::Law& law() const { return modes_.law(); }
-  [[nodiscard]] modes::TipPlace place(int blade) const;
   [[nodiscard]] rotor::ContactState unbent() const { return rotor::full_state(state_, time_, 0.0); }
+  [[nodiscard]] modes::TipPlace place(int blade) const { return modes_.tip_place(blade, unbent()); }
   bool open(int blade, const modes::TipPlace& at);
   bool keep(modes::OpenContact contact, const modes::TipPlace& at);
   bool place_ring();
