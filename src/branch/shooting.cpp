@@ -119,7 +119,7 @@ std::optional<Shooting::Passage> Shooting::passage(const Unknowns& at) {
   const double later = std::floor((whole - passing) / cut_->passings);
   const double last = passing + later * cut_->passings;
   result.revolution = std::min(static_cast<int>(last / count), period_ - 1);
-  motion::TouchdownStart start;
+  motion::PointStart start;
   start.state = {state[0], state[1], state[2], state[3]};
   start.time = (last / count - result.revolution) * turn / speed_ratio_;
   start.blade =

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
 
   /// Starts at phase 0; blades with g > 0 are in contact (MODEL 4.4).
   ending::PointStatus start(const motion::PointStart& start) override {
+    if (start.blade >= 0) throw std::logic_error("this motion does not start at a touch-down");
     SteppedState full;
     full << rotor::as_state(start.state), 0.0;
     if (!full.isFinite().all()) return ends(ending::StatusDetail::beyond_precision);

@@ -20,8 +20,6 @@ constexpr double kUnresolvedHop = 1.0;
 /// of randomly kicked rotors all cycles this short belonged to such sequences.
 constexpr double kShortestCycle = 1e-9;
 
-constexpr int kNoBlade = -1;
-
 }  // namespace
 
 Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings)
@@ -34,26 +32,22 @@ Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Se
 }
 
 ending::PointStatus Motion::start(const PointStart& start) {
-  return this->start(bodies_of(start), 0.0, kNoBlade);
-}
-ending::PointStatus Motion::start_at_touch_down(const TouchdownStart& start) {
-  return this->start(bodies_of(start), start.time, start.blade);
-}
-/// `touching`: its tip stands on the ring and touches down.
-ending::PointStatus Motion::start(const rotor::ShaftAndRing& state, double time, int touching) {
-  state_ = state;
-  time_ = time;
+  state_ = rotor::shaft_and_ring(rotor::as_state(start.state));
+  // Without a memory the ring starts at its place of rest, without velocity.
+  const std::span<const double> ring = start.memory.view();
+  if (machine_.ring_moves() && !ring.empty()) state_.tail<4>() = rotor::State(ring.data());
+  time_ = start.time;
   undecided_ = true;
   phase_ = nullptr;
   contacts_.clear();
   // Who looks for an orbit may ask for a place that is none.
-  if (!state.allFinite()) return ends(ending::StatusDetail::beyond_precision);
+  if (!state_.allFinite()) return ends(ending::StatusDetail::beyond_precision);
   for (int k = 0; k < machine_.blades.count(); ++k) {
     const modes::TipPlace at = place(k);
-    const bool touches = k == touching || at.pose.gap > 0.0;
+    const bool touches = k == start.blade || at.pose.gap > 0.0;
     if (touches && !open(k, at)) return ends(ending::StatusDetail::no_equilibrium);
   }
-  ended_by_ = touching != kNoBlade ? modes::Guard::touch_down : modes::Guard::horizon;
+  ended_by_ = start.blade >= 0 ? modes::Guard::touch_down : modes::Guard::horizon;
   if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
   if (!flight_.resolves(machine_.constants.period())) return ends(ending::StatusDetail::beyond_precision);
   modes::RestJudge* judge = modes_.rest_judge();
@@ -126,14 +120,6 @@ WorkCounts Motion::work() const {
 ending::PointStatus Motion::ends(ending::StatusDetail why) {
   detail_ = why;
   return ending::status_of(why);
-}
-
-rotor::ShaftAndRing Motion::bodies_of(const PointStart& start) const {
-  rotor::ShaftAndRing bodies = rotor::shaft_and_ring(rotor::as_state(start.state));
-  // Without a memory the ring starts at its place of rest, without velocity.
-  const std::span<const double> ring = start.memory.view();
-  if (machine_.ring_moves() && !ring.empty()) bodies.tail<4>() = rotor::State(ring.data());
-  return bodies;
 }
 
 std::vector<contact::Geometry> Motion::geometries() const {

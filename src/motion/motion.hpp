@@ -27,9 +27,8 @@ class Motion final : public PointMotion {
   };
   Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings);
 
-  /// Starts at phase 0; blades with g > 0 are in contact (MODEL 4.4).
+  /// Blades with g > 0 are in contact (MODEL 4.4).
   ending::PointStatus start(const PointStart& start) override;
-  ending::PointStatus start_at_touch_down(const TouchdownStart& start) override;
   ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
                                  int number) override;
   /// Contacts stay, with their slip directions (MODEL 4.4), where the blade still reaches the ring.
@@ -44,9 +43,7 @@ class Motion final : public PointMotion {
  private:
   using Contact = std::vector<modes::OpenContact>::iterator;
 
-  ending::PointStatus start(const rotor::ShaftAndRing& state, double time, int touching);
   ending::PointStatus ends(ending::StatusDetail why);
-  [[nodiscard]] rotor::ShaftAndRing bodies_of(const PointStart& start) const;
   [[nodiscard]] std::vector<contact::Geometry> geometries() const;
   [[nodiscard]] std::int64_t price_of_last_event();
   /// Contacts as they are at the end of a revolution.

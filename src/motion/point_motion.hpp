@@ -23,12 +23,8 @@ class PointMotion {
   PointMotion& operator=(const PointMotion&) = delete;
   virtual ~PointMotion() = default;
 
+  /// Methods that ours is compared with throw std::logic_error at a touch-down.
   virtual ending::PointStatus start(const PointStart& start) = 0;
-  /// Starts where a blade touches down. Throws std::logic_error for a machine that changes, and for methods
-  /// that ours is compared with.
-  virtual ending::PointStatus start_at_touch_down(const TouchdownStart& /*start*/) {
-    throw std::logic_error("this motion does not start at a touch-down");
-  }
   /// The next revolution. `number` counts from the first sampled revolution and is negative in the transient.
   virtual ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
                                          int number) = 0;

@@ -100,7 +100,7 @@ class Mapping final : public modes::MotionListener {
 class Returning final : public modes::MotionListener {
  public:
   Returning(variation::TangentFlow& flow, const trajectory::PointConstants& point,
-            const motion::TouchdownStart& start, int passings)
+            const motion::PointStart& start, int passings)
       : flow_(&flow),
         mapping_(flow, point),
         start_(start),
@@ -167,7 +167,7 @@ class Returning final : public modes::MotionListener {
 
   variation::TangentFlow* flow_;
   Mapping mapping_;
-  motion::TouchdownStart start_;
+  motion::PointStart start_;
   double period_;
   double end_;          ///< τ from the start of the first revolution
   double longest_way_;  ///< [τ]

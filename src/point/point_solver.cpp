@@ -265,13 +265,11 @@ SectionMap PointSolver::section_map(double speed_ratio, const motion::PointStart
   return map;
 }
 
-TouchdownMap PointSolver::touchdown_map(double speed_ratio, const motion::TouchdownStart& start,
-                                        int passings) {
+TouchdownMap PointSolver::touchdown_map(double speed_ratio, const motion::PointStart& start, int passings) {
   const auto motion = motion_of(speed_ratio, start);
   Returning returning(tangents_at(speed_ratio), point_of(speed_ratio), start, passings);
   const int revolutions = passings / scene_.blades.count + 2;  // the last of them holds the end
-  const ending::PointStatus status =
-      follow(*motion, motion->start_at_touch_down(start), returning, revolutions);
+  const ending::PointStatus status = follow(*motion, motion->start(start), returning, revolutions);
   TouchdownMap map = returning.map();
   // Whatever happens after the flight does not count.
   map.map.status = map.complete ? ending::PointStatus::done : status;

@@ -27,7 +27,7 @@ class PointSolver final : public LineSolver {
                              modes::MotionListener& listener) override;
   Orbit orbit(double speed_ratio, const motion::PointStart& start) override;
   SectionMap section_map(double speed_ratio, const motion::PointStart& start, int revolutions) override;
-  TouchdownMap touchdown_map(double speed_ratio, const motion::TouchdownStart& start, int passings) override;
+  TouchdownMap touchdown_map(double speed_ratio, const motion::PointStart& start, int passings) override;
 
  private:
   /// How a motion ended.

@@ -39,8 +39,7 @@ class LineSolver {
 
   /// From a touch-down on over so many passings of blades, to where the blade that is then in its place comes
   /// to the ring. Only for scenes that `settings::refusal_of_shooting` does not refuse.
-  virtual TouchdownMap touchdown_map(double speed_ratio, const motion::TouchdownStart& start,
-                                     int passings) = 0;
+  virtual TouchdownMap touchdown_map(double speed_ratio, const motion::PointStart& start, int passings) = 0;
 };
 
 }  // namespace rubatlas::point
