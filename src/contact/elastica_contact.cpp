@@ -184,18 +184,12 @@ std::optional<double> ElasticaContact::solve_on_branches(const Pose& at, double 
   return std::nullopt;
 }
 
-bool ElasticaContact::stands_beyond_fold(const Pose& at, double slip, double bending) const {
-  if (bending == 0.0) return false;
-  if (may_stand_straight_) return true;
+bool ElasticaContact::ends_unloaded(const Pose& at, double slip, double bending) const {
+  if (!starts_unloaded(at, slip)) return false;
+  if (!has_branches_ || bending == 0.0) return true;
+  if (may_stand_straight_) return false;
   const Branches all = branches(at, slip);
-  return all.count > 0 && all.list[all.of(bending)].begin > 0.0;
-}
-
-auto ElasticaContact::incline(const Pose& at, double slip, const blade::CurvePoint& point) const -> Incline {
-  const SlopeParts parts = slope_parts(at, slip, point);
-  const double unit = friction_ > 0.0 ? 1.0 / point.load_slope : 1.0;
-  return {unit * parts.sum(),
-          unit * (std::abs(parts.shortening) + std::abs(parts.deflection) + std::abs(parts.ring))};
+  return all.count == 0 || !(all.list[all.of(bending)].begin > 0.0);
 }
 
 std::optional<double> ElasticaContact::snap(const Pose& at, double slip, double bending,
@@ -230,20 +224,29 @@ std::optional<double> ElasticaContact::solve_near(const Pose& at, double slip, d
   // it bends by in between.
   constexpr double kBend = 10.0;
   const double from = bending;
+  // dh/dF, and the sum of the magnitudes of which it is made.
+  struct Incline {
+    double rise, parts;
+  };
+  const auto incline = [&](const blade::CurvePoint& point) {
+    const SlopeParts parts = slope_parts(at, slip, point);
+    const double unit = friction_ > 0.0 ? 1.0 / point.load_slope : 1.0;
+    return Incline{unit * parts.sum(), unit * parts.size()};
+  };
   Incline first{};
   double previous = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < 12; ++iteration) {
     const blade::CurvePoint point = curve_at(bending);
     const double descent = slope(at, slip, point);
     if (!(descent < 0.0)) break;
-    if (has_branches_ && iteration == 0) first = incline(at, slip, point);
+    if (has_branches_ && iteration == 0) first = incline(point);
     const double step = -residual(at, slip, point) / descent;
     const double size = std::abs(step);
     bending += step;
     if (!(bending > 0.0) || bending > curve_->end()) break;
     if (size <= 4e-16 * bending || (size < 1e-9 * bending && size >= 0.5 * previous)) {
       if (!has_branches_) return bending;
-      const Incline here = incline(at, slip, point);
+      const Incline here = incline(point);
       const double moved = (bending - from) / std::min(bending, from);
       const double least = std::min(-first.rise, -here.rise);
       if (kBend * moved * moved * std::max(first.parts, here.parts) < least) return bending;

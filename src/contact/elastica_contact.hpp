@@ -142,9 +142,7 @@ class ElasticaContact : public ElasticBladeInRing {
     return slip * at.tangential + (axial_relief_ * (at.radial + geometry_.reach) + ring_relief_) >= 0.0;
   }
   /// The same for an open contact, which may stand on another branch.
-  [[nodiscard]] bool ends_unloaded(const Pose& at, double slip, double bending) const {
-    return starts_unloaded(at, slip) && !(has_branches_ && stands_beyond_fold(at, slip, bending));
-  }
+  [[nodiscard]] bool ends_unloaded(const Pose& at, double slip, double bending) const;
 
   /// A contact at one bending parameter, with the rates that carry it along h = 0.
   struct Constraint {
@@ -232,6 +230,7 @@ class ElasticaContact : public ElasticBladeInRing {
   struct SlopeParts {
     double shortening, deflection, ring;
     [[nodiscard]] double sum() const { return shortening + deflection + ring; }
+    [[nodiscard]] double size() const { return std::abs(shortening) + std::abs(deflection) + std::abs(ring); }
   };
   template <class Point>
   [[nodiscard]] SlopeParts slope_parts(const Pose& at, double slip, const Point& point) const {
@@ -284,13 +283,6 @@ class ElasticaContact : public ElasticBladeInRing {
   }
   [[nodiscard]] std::optional<double> root_on(const Pose& at, double slip, const Branch& branch) const;
   [[nodiscard]] std::optional<double> solve_on_branches(const Pose& at, double slip) const;
-  /// Whether a blade stands on another branch than the one that starts from the unloaded blade.
-  [[nodiscard]] bool stands_beyond_fold(const Pose& at, double slip, double bending) const;
-  /// `rise`, and the sum of the magnitudes of which it is made.
-  struct Incline {
-    double rise, parts;
-  };
-  [[nodiscard]] Incline incline(const Pose& at, double slip, const blade::CurvePoint& point) const;
 
   double friction_;    ///< μ [-]
   double yield_unit_;  ///< 0 where the ring does not yield [m]
