@@ -12,10 +12,6 @@
 namespace rubatlas::modes {
 namespace {
 
-double square(double value) {
-  return value * value;
-}
-
 /// z·z', half of the rate of |z|².
 double distance_rate(const rotor::State& state) {
   return state[0] * state[2] + state[1] * state[3];
@@ -28,8 +24,7 @@ Flight::Flight(const rotor::Machine& machine)
       free_(machine.constants.damping_ratio),
       harmonics_(machine.harmonics()),
       supported_(machine.supported()),
-      ring_(machine.ring_body()),
-      second_slope_(std::sqrt(1.0 + square(2.0 * machine.constants.damping_ratio))) {
+      ring_(machine.ring_body()) {
   if (harmonics_ != nullptr && harmonics_->terms().empty()) harmonics_ = nullptr;
 }
 
@@ -112,7 +107,7 @@ DerivativeBounds Flight::derivative_bounds(const FlightBound& bound) const {
     // z'' is written with z, z' and the forcing, then each derivative with the two before it.
     const rotor::Harmonics& forcing = *machine_->harmonics();
     const double damping = 2.0 * free_.damping_ratio();
-    const double second = second_slope_ * bound.shaft + forcing.amplitude();
+    const double second = std::sqrt(1.0 + damping * damping) * bound.shaft + forcing.amplitude();
     const double third = damping * second + bound.shaft + forcing.rate();
     result = {second, third, damping * third + second + forcing.rate_of_rate()};
   }

@@ -90,7 +90,6 @@ class Flight {
   const rotor::Harmonics* harmonics_;       ///< on an isotropic shaft; null where none acts
   const rotor::SupportedShaft* supported_;  ///< null: isotropic
   const rotor::RingBody* ring_;             ///< null where the ring is no body
-  double second_slope_;                     ///< of |z''| against (|z|² + |z'|²)^½ on an isotropic shaft
   double start_ = 0.0;
   rotor::ShaftAndRing at_start_ = rotor::ShaftAndRing::Zero();
   // What reads this flight at equally spaced times, made where it is asked for.
