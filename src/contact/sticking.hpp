@@ -18,10 +18,9 @@
 
 namespace rubatlas::contact {
 
-/// Of μs, beyond which a tip comes loose: rounding does not lead it back.
-inline constexpr double kShareBeyondCone = 1e-9;
-/// |c| up to which a rigid tip is held.
+/// |c| up to which a rigid tip is held: so much beyond μs that rounding does not lead it back.
 inline double largest_at_rest(const Friction& friction) {
+  constexpr double kShareBeyondCone = 1e-9;
   return (1.0 + kShareBeyondCone) * friction.static_friction;
 }
 

@@ -52,12 +52,6 @@ inline std::optional<double> resting_normal_angle(const Geometry& geometry, cons
   return near + std::remainder((distance(one) < distance(other) ? one : other) - near, 2.0 * std::acos(-1.0));
 }
 
-/// dv/dα [m per unit τ] of a tip on the ring.
-inline double slip_by_normal_angle(const Pose& at, double angular_speed, double normal_angle) {
-  const BladeVector<double> rate = tip_rate(at, angular_speed);
-  return -rate.across * std::sin(normal_angle) - rate.along * std::cos(normal_angle);
-}
-
 /// A blade whose tip is held at a place on the ring.
 struct RestingBlade {
   blade::Bend bend;
@@ -128,8 +122,9 @@ inline constexpr double kLeastModulus = 2e-4;
 /// that rest is stable, and negative where rest is unstable.
 inline double firmness(const RestingBlade& resting, const Geometry& geometry, const Pose& at,
                        double angular_speed, double normal_angle) {
-  return -std::copysign(1.0, resting.determinant) * slip_by_normal_angle(at, angular_speed, normal_angle) /
-         std::abs(angular_speed * geometry.ring_radius);
+  const BladeVector<double> rate = tip_rate(at, angular_speed);
+  const double by_angle = -rate.across * std::sin(normal_angle) - rate.along * std::cos(normal_angle);
+  return -std::copysign(1.0, resting.determinant) * by_angle / std::abs(angular_speed * geometry.ring_radius);
 }
 
 }  // namespace rubatlas::contact

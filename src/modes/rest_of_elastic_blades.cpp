@@ -31,7 +31,7 @@ bool RestOfElasticBlades::settle(const State& state, std::vector<OpenContact>& c
       if (rests(contact, state)) continue;
       if (!let_go(state, contacts, i)) return false;
       tell(contact);
-    } else if (contact.bend.modulus == 0.0 && !opens_unbent(contact, state) && may_rest(contact, state)) {
+    } else if (may_open_at_rest(contact, state)) {
       OpenContact bent = contact;
       if (forward(bent, contact.slip, state) >= -slip_rounding(state)) continue;
       contact = bent;
@@ -63,15 +63,15 @@ double RestOfElasticBlades::leave_rest(OpenContact& contact, const State& state)
   return std::max(forwards, backwards);
 }
 
-/// Whether v vanishes anywhere on the ring. Where it does not the undeformed tip's has the sign of all.
-bool RestOfElasticBlades::may_rest(const OpenContact& open, const State& state) const {
-  return contact::resting_normal_angle(law_->geometry(open.blade), pose(open.blade, state),
-                                       angular_speed(state), 0.0)
-      .has_value();
-}
-/// Its tip then slips as the undeformed tip does, of which s is the sign.
-bool RestOfElasticBlades::opens_unbent(const OpenContact& open, const State& state) const {
-  return of(open.blade).opens_unbent(pose(open.blade, state), open.slip, angular_speed(state));
+/// Whether a contact is new and its tip may not slip in the direction s. One that opens unbent slips as the
+/// undeformed tip does, of which s is the sign; where v vanishes nowhere on the ring that has the sign of
+/// all.
+bool RestOfElasticBlades::may_open_at_rest(const OpenContact& open, const State& state) const {
+  const contact::DirectedElastica& law = of(open.blade);
+  const contact::Pose at = pose(open.blade, state);
+  const double speed = angular_speed(state);
+  return open.bend.modulus == 0.0 && !law.opens_unbent(at, open.slip, speed) &&
+         contact::resting_normal_angle(law.geometry(), at, speed, 0.0).has_value();
 }
 std::optional<RestOfElasticBlades::Rest> RestOfElasticBlades::rest(const OpenContact& open,
                                                                    const State& state) const {

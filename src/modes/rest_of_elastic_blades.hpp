@@ -53,8 +53,7 @@ class RestOfElasticBlades : public RestJudge, public TipPlaces {
 
  private:
   [[nodiscard]] const contact::DirectedElastica& of(int blade) const;
-  [[nodiscard]] bool may_rest(const OpenContact& open, const State& state) const;
-  [[nodiscard]] bool opens_unbent(const OpenContact& open, const State& state) const;
+  [[nodiscard]] bool may_open_at_rest(const OpenContact& open, const State& state) const;
   [[nodiscard]] double beyond_cone(const OpenContact& open, double coefficient) const;
   bool rests(OpenContact& contact, const State& state) const;
   double forward(OpenContact& contact, double slip, const State& state) const;

@@ -57,7 +57,7 @@ RestOfRigidBlades::AtRest RestOfRigidBlades::at_rest(Contacts contacts, std::siz
   tip.tangent = tip.direction * contact::tangent(law.geometry(), at.pose);
   tip.pose = at.pose;
   tip.load = at.force.normal * rotor().force_unit;
-  tip.largest = law.friction().static_friction;
+  tip.largest = contact::largest_at_rest(law.friction());
   tip.slip_velocity = at.force.slip_velocity;
   return tip;
 }

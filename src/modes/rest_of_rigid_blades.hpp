@@ -43,14 +43,12 @@ class RestOfRigidBlades : public RestJudge, public TipPlaces {
     std::complex<double> tangent;    ///< t
     contact::Pose pose{};
     double load = 0.0;           ///< F/(m ωn²) [m per unit τ²]
-    double largest = 0.0;        ///< μs [-]
+    double largest = 0.0;        ///< |c| up to which it is held [-]
     double slip_velocity = 0.0;  ///< v [m per unit τ]
     double pull = 0.0;  ///< q [m per unit τ²]: dv/dτ without friction at the tips at rest, then shared out
-    /// What friction has to give beyond what it can, |q| − μs F/(m ωn²) [m per unit τ²]: the tip comes loose
-    /// where it is positive.
-    [[nodiscard]] double excess() const {
-      return std::abs(pull) - (1.0 + contact::kShareBeyondCone) * largest * load;
-    }
+    /// What friction has to give beyond what it can [m per unit τ²]: the tip comes loose where it is
+    /// positive.
+    [[nodiscard]] double excess() const { return std::abs(pull) - largest * load; }
     [[nodiscard]] double coefficient() const { return pull / load; }  ///< c [-]
   };
   /// The motion, and the tips at rest, whose friction is worked out of it.
