@@ -29,7 +29,7 @@ class KindOfLaw {
     return rigid_ != nullptr ? rigid_->sticks() : inclined_ != nullptr && inclined_->sticks();
   }
   /// The force follows from the place of the tip alone, and nothing bends.
-  [[nodiscard]] bool load_follows_gap() const { return rigid_ != nullptr && !rigid_->has_damper(); }
+  [[nodiscard]] bool load_follows_gap() const { return rigid_ != nullptr && rigid_->of(0).damping() == 0.0; }
   /// The last bending says on which branch or side a blade stands.
   [[nodiscard]] bool remembers() const { return inclined_ != nullptr || axial_ != nullptr; }
   /// Of an evaluation of a blade's curve [ns].

@@ -26,7 +26,7 @@ class PhasesInSteps final : public modes::ContactPhases {
     if (std::ranges::count(contacts, true, &OpenContact::skims) > 0) return made<Skimming>(skimming_);
     if (dynamic_cast<const modes::LawOfDampedRing*>(setup_.law) != nullptr)
       return made<YieldingDampedRing>(slipping_);
-    if (rigid != nullptr && rigid->has_damper()) return made<DampedRing>(slipping_);
+    if (rigid != nullptr && rigid->of(0).damping() > 0.0) return made<DampedRing>(slipping_);
     if (rigid != nullptr && setup_.machine->following_ring() != nullptr)
       return made<FollowingRing>(slipping_);
     return made<Solved>(slipping_);

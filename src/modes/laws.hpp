@@ -28,7 +28,6 @@ class LawOfRigidBlades final : public LawOfBlades<LawOfRigidBlades, contact::Ela
   [[nodiscard]] std::unique_ptr<collocation::ArcLaw> arcs(const rotor::Machine& machine,
                                                           double max_shortening) const override;
   [[nodiscard]] std::unique_ptr<RestJudge> rest_judge(const ContactSetup& setup) const override;
-  [[nodiscard]] bool has_damper() const { return of(0).damping() > 0.0; }
   [[nodiscard]] bool sticks() const { return of(0).friction().sticks; }
 };
 
