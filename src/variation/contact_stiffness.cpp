@@ -65,10 +65,9 @@ struct ContactStiffness::Tip {
           constraints[static_cast<std::size_t>(i)].derivatives().segment(kBend, unknowns).transpose();
     return result;
   }
-  /// adj D. The row and column that one unknown leaves over are those of the unit matrix.
+  /// adj D.
   [[nodiscard]] Eigen::Matrix2d adjugate() const {
     const Eigen::Matrix2d slopes = by_bend();
-    if (unknowns == 1) return Eigen::Vector2d(1.0, 0.0).asDiagonal();
     return (Eigen::Matrix2d() << slopes(1, 1), -slopes(0, 1), -slopes(1, 0), slopes(0, 0)).finished();
   }
   /// Slopes by c and c', `share` of the time in them, where the bend changes by −`lambda` (adj D) g.
