@@ -31,11 +31,6 @@ std::int64_t ContactModes::price_of_searches() {
          WorkPrice::kInclinedCurve;
 }
 
-bool ContactModes::begins_to_skim(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
-                                  double hop) const {
-  return skimming_judge_ && skimming_judge_->begins(state, contacts, hop);
-}
-
 bool ContactModes::let_go(const rotor::ContactState& state, std::vector<OpenContact>& contacts,
                           std::size_t contact) {
   if (!tips_at_rest_) return judge_ && judge_->let_go(state, contacts, contact);

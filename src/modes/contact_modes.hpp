@@ -50,11 +50,8 @@ class ContactModes : public TipPlaces {
   /// A phase has paid for its own.
   void searches_are_paid() { paid_evaluations_ = law_->evaluations(); }
 
-  /// Whether the first of these blades, which has just touched down, begins to skim: it would hop at most
-  /// `hop` [m] high, and return.
-  [[nodiscard]] bool begins_to_skim(const rotor::ContactState& state,
-                                    const std::vector<OpenContact>& contacts, double hop) const;
-
+  /// Of tips that may skim.
+  [[nodiscard]] const std::optional<SkimmingJudge>& skimming_judge() const { return skimming_judge_; }
   /// Of a ring without mass.
   [[nodiscard]] const std::optional<RingPlacer>& ring_placer() const { return ring_placer_; }
 

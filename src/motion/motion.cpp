@@ -219,10 +219,11 @@ ending::StatusDetail Motion::begin_mode() {
 
 /// Whether the blade that has just touched down begins to skim. If so, it is the first of the contacts.
 bool Motion::begins_to_skim() {
-  if (ended_by_ != modes::Guard::touch_down) return false;
+  const auto& judge = modes_.skimming_judge();
+  if (!judge || ended_by_ != modes::Guard::touch_down) return false;
   const auto change_places = [this] { std::swap(contacts_.front(), contacts_.back()); };
   change_places();
-  const bool skims = modes_.begins_to_skim(unbent(), contacts_, kUnresolvedHop * limits_.tolerance);
+  const bool skims = judge->begins(unbent(), contacts_, kUnresolvedHop * limits_.tolerance);
   if (!skims) change_places();
   return skims;
 }
