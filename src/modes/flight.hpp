@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "modes/state_row.hpp"
+#include "modes/flight_row.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
 #include "rotor/free_motion.hpp"

@@ -1,24 +1,96 @@
 /// Eight times of a flight at once: where the shaft and the tips are, and between which of these times a tip
 /// may touch the ring.
 ///
-/// The times are equally spaced, so that the free motion between them is known once for a point. Between two
-/// of them the gap g of a blade is a cubic through its values and slopes, but for a remainder that a bound of
-/// the fourth derivative bounds: |g − cubic| <= max|g''''| h⁴ θ²(1 − θ)²/24 at the share θ of their distance
-/// h. Since θ²(1 − θ)² <= θ(1 − θ)/4, it is enough to add max|g''''| h⁴/288 to both inner Bernstein
-/// coefficients of the cubic: where all four are negative, so is g.
+/// The times are equally spaced, so that the free motion between them, and the response to each forcing from
+/// rest, is known once for a point. Between two of them the gap g of a blade is a cubic through its values
+/// and slopes, but for a remainder that a bound of the fourth derivative bounds: |g − cubic| <= max|g''''| h⁴
+/// θ²(1 − θ)²/24 at the share θ of their distance h. Since θ²(1 − θ)² <= θ(1 − θ)/4, it is enough to add
+/// max|g''''| h⁴/288 to both inner Bernstein coefficients of the cubic: where all four are negative, so is g.
 #pragma once
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "contact/pose.hpp"
-#include "modes/state_row.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
+#include "rotor/constants.hpp"
+#include "rotor/free_motion.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::modes {
+
+constexpr int kTimesOfRow = 8;
+using RowValues = Eigen::Array<double, kTimesOfRow, 1>;
+/// Where one row starts from the end of another, so many may follow before a state in closed form: rounding
+/// adds up.
+constexpr int kRowsFromClosedForm = 16;
+
+/// Of x, y [m], x', y' [m per unit τ].
+using StatesOfRow = std::array<RowValues, 4>;
+
+/// z'' + 2ζν z' + ν² z = 0 one to eight spacings after its start.
+class FreeRow {
+ public:
+  /// `frequency`: ν [-].
+  FreeRow(const rotor::FreeMotion& free, double frequency, double spacing)
+      : damping_ratio_(free.damping_ratio()), frequency_(frequency) {
+    for (int i = 0; i < kTimesOfRow; ++i) {
+      const auto kernel = free.kernel((i + 1) * (frequency * spacing));
+      cosine_[i] = kernel.cosine;
+      sine_[i] = kernel.sine;
+    }
+  }
+  void move(const rotor::State& from, StatesOfRow& states) const {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double place = from[static_cast<Eigen::Index>(i)];
+      const double velocity = from[static_cast<Eigen::Index>(i + 2)] / frequency_;
+      states[i] = place * cosine_ + (velocity + damping_ratio_ * place) * sine_;
+      states[i + 2] = frequency_ * (velocity * cosine_ - (place + damping_ratio_ * velocity) * sine_);
+    }
+  }
+
+ private:
+  double damping_ratio_, frequency_;
+  RowValues cosine_, sine_;  ///< `FreeMotion::kernel`
+};
+
+/// The shaft.
+class StateRow {
+ public:
+  /// `spacing`: between two times [τ].
+  StateRow(const rotor::Machine& machine, double spacing);
+
+  [[nodiscard]] double spacing() const { return spacing_; }
+
+  /// Moves the row to a state at time τ of the revolution, which its eight times follow by one to eight
+  /// spacings.
+  void start(double time, const rotor::State& state);
+
+  [[nodiscard]] const StatesOfRow& states() const { return states_; }
+  [[nodiscard]] rotor::State state(int i) const {
+    return {states_[0][i], states_[1][i], states_[2][i], states_[3][i]};
+  }
+
+ private:
+  /// What a forcing does to a shaft at rest.
+  struct Response {
+    double frequency;    ///< ν [per unit τ]
+    StatesOfRow along;   ///< of the forcing as it is at τ = 0
+    StatesOfRow across;  ///< of the same a quarter of a turn later
+  };
+
+  double spacing_;
+  FreeRow isotropic_;
+  std::vector<StatesOfRow>
+      supported_;  ///< of another support: four, what the state follows from each of its parts
+  std::vector<Response> responses_;
+  StatesOfRow states_;
+};
 
 /// Directions at the times of a row.
 struct DirectionsOfRow {
