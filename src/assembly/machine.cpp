@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <complex>
-#include <cstddef>
 #include <vector>
 
 #include "point/solver_of_motions.hpp"

@@ -21,10 +21,7 @@
 /// rest passes through zero, and the side is a discrete state, too.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>

@@ -1,7 +1,6 @@
 /// A flight as a piece of motion, for the listeners of the motion.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <span>
 

@@ -3,7 +3,6 @@
 /// what cannot occur under it.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>

@@ -1,12 +1,9 @@
 /// Where the tips of a motion's blades stand in a state between or within modes.
 #pragma once
 
-#include <cmath>
-
 #include "contact/pose.hpp"
 #include "modes/contact_setup.hpp"
 #include "modes/law.hpp"
-#include "modes/open_contact.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
 #include "rotor/machine.hpp"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <memory>
 #include <unsupported/Eigen/AutoDiff>
-#include <utility>
 
 #include "settings/effects/list.hpp"
 #include "variation/parts_of_scene.hpp"
