@@ -154,10 +154,7 @@ class ContactMode : public TipPlaces {
   }
 
   [[nodiscard]] BladeGap gap(int blade, const FullState& state) const {
-    return gap(blade, state, first_blade(state));
-  }
-  [[nodiscard]] BladeGap gap(int blade, const FullState& state, const contact::BladeDirection& first) const {
-    const contact::Pose at = pose(blade, state, first);
+    const contact::Pose at = pose(blade, state);
     return {at.gap,
             contact::gap_rate(law_->geometry(blade), at, blades().angular_speed(state[rotor::kTime]))};
   }
@@ -173,9 +170,8 @@ class ContactMode : public TipPlaces {
   [[nodiscard]] trajectory::ContactForce on_rotor(std::size_t contact, const contact::TipForce& force,
                                                   double coefficient, const FullState& state) const {
     const OpenContact& open = contacts_[contact];
-    const contact::BladeDirection first = first_blade(state);
-    return modes::contact_force(force, {open.slip, coefficient}, blades().direction(open.blade, first),
-                                pose(open.blade, state, first), blades().angular_speed(state[rotor::kTime]));
+    return modes::contact_force(force, {open.slip, coefficient}, direction(open.blade, state),
+                                pose(open.blade, state), blades().angular_speed(state[rotor::kTime]));
   }
   /// |c|² − R² [m²]: the shaft's centre reaches the ring where it is positive (MODEL 5).
   [[nodiscard]] double beyond_ring(const FullState& state) const {

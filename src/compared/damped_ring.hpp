@@ -92,7 +92,7 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
 
   bool operator()(const FullState& state, FullState& derivative) {
     ++evaluations_;
-    const contact::BladeDirection first = first_blade(state);
+    const contact::BladeDirection first = blades().first(state[rotor::kTime]);
     derivative.resize(state.size());
     std::complex<double> force;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -118,7 +118,7 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
     if (is_stopped()) return force;
     OpenContact guess = contacts_[contact];
     double rate = 0.0;
-    find_force(state, first_blade(state), guess, state[place_of(contact)], force, rate);
+    find_force(state, blades().first(state[rotor::kTime]), guess, state[place_of(contact)], force, rate);
     return force;
   }
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const FullState& state) const {
@@ -190,7 +190,7 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
     const contact::ElasticBladeOnDampedRing& law = of(open.blade);
     const double speed = blades().angular_speed(state[rotor::kTime]);
     if (open.straight) {
-      const contact::Pose at = pose(open.blade, state, first);
+      const contact::Pose at = pose(open.blade, state);
       rate = law.depth_rate(at, speed);
       force = law.straight(at, open.slip, speed, law.ring_load(yielding, rate));
       return true;

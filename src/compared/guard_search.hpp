@@ -49,10 +49,9 @@ class GuardSearch {
   /// A mode begins where the step starts. `slip_rounding`: |v| below it is zero; the sign of such a tip's
   /// slip is that at the end of the first step.
   void begin(double slip_rounding) {
-    const contact::BladeDirection first = mode_->first_blade(step_->start());
     for (int k = 0; k < static_cast<int>(watched_.size()); ++k) {
       blade(k).open = false;
-      blade(k).at_start = mode_->gap(k, step_->start(), first);
+      blade(k).at_start = mode_->gap(k, step_->start());
     }
     for (std::size_t i = 0; i < mode_->contacts().size(); ++i) {
       const double velocity = mode_->slip_velocity(i);
@@ -75,8 +74,7 @@ class GuardSearch {
     for (std::size_t i = 0; i < mode_->contacts().size(); ++i)
       of_contact(i).end_slip_velocity = mode_->slip_velocity(i);
     const FullState& end = step_->end();
-    const contact::BladeDirection first = mode_->first_blade(end);
-    for (int k = 0; k < static_cast<int>(watched_.size()); ++k) blade(k).at_end = mode_->gap(k, end, first);
+    for (int k = 0; k < static_cast<int>(watched_.size()); ++k) blade(k).at_end = mode_->gap(k, end);
     mode_->guards(*this);
   }
 

@@ -22,7 +22,7 @@ class Skimming : public Solved {
 
   bool operator()(const FullState& state, FullState& derivative) {
     ++evaluations_;
-    const contact::BladeDirection first = first_blade(state);
+    const contact::BladeDirection first = blades().first(state[rotor::kTime]);
     std::complex<double> others;
     for (std::size_t i = 1; i < contacts_.size(); ++i) {
       if (!add_force(state, first, i, others)) return false;
@@ -49,7 +49,7 @@ class Skimming : public Solved {
 
   void project(FullState& state) const {
     const int skims = contacts_.front().blade;
-    rotor::put_on_ring(machine(), law_->geometry(skims), blades().direction(skims, first_blade(state)),
+    rotor::put_on_ring(machine(), law_->geometry(skims), direction(skims, state),
                        blades().angular_speed(state[rotor::kTime]), state);
   }
 

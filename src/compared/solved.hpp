@@ -23,7 +23,7 @@ class Solved : public ContactMode<> {
 
   bool operator()(const FullState& state, FullState& derivative) {
     ++evaluations_;
-    const contact::BladeDirection first = first_blade(state);
+    const contact::BladeDirection first = blades().first(state[rotor::kTime]);
     std::complex<double> force;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (!add_force(state, first, i, force)) return false;

@@ -42,7 +42,7 @@ bool RestOfRigidBlades::let_go(const State& state, std::vector<OpenContact>& con
 }
 
 RestOfRigidBlades::Slipping RestOfRigidBlades::slipping(OpenContact contact, const State& state) const {
-  Slipping result{blades().direction(contact.blade, first_blade(state)), pose(contact.blade, state), {}};
+  Slipping result{direction(contact.blade, state), pose(contact.blade, state), {}};
   law_->respond({result.pose, angular_speed(state)}, contact, result.force);
   return result;
 }

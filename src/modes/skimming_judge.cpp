@@ -28,7 +28,7 @@ std::optional<SkimmingJudge::Balance> SkimmingJudge::weigh(const State& state, O
   if (!law_->respond({on_ring, angular_speed(state)}, contact, force)) return std::nullopt;
   const double share = -free_curvature(state, contact.blade, others) /
                        rotor::pushed_gap_curvature(machine(), law_->geometry(contact.blade), at, force);
-  return Balance{contact::on_rotor(force, direction(state, contact.blade)), share,
+  return Balance{contact::on_rotor(force, direction(contact.blade, state)), share,
                  rotor::share_of(force, share)};
 }
 
@@ -39,7 +39,7 @@ std::optional<std::complex<double>> SkimmingJudge::force_of_others(
     OpenContact open = contacts[i];
     contact::TipForce force{};
     if (!law_->respond(tip_place(open.blade, state), open, force)) return std::nullopt;
-    sum += contact::on_rotor(force, direction(state, open.blade));
+    sum += contact::on_rotor(force, direction(open.blade, state));
   }
   return sum;
 }
@@ -47,7 +47,7 @@ std::optional<std::complex<double>> SkimmingJudge::force_of_others(
 /// g'' [m² per unit τ²] of the motion without the blade, under the force of the others.
 double SkimmingJudge::free_curvature(const State& state, int blade,
                                      const std::complex<double>& others) const {
-  return rotor::free_gap_curvature(machine(), law_->geometry(blade), direction(state, blade),
+  return rotor::free_gap_curvature(machine(), law_->geometry(blade), direction(blade, state),
                                    pose(blade, state), state, others);
 }
 

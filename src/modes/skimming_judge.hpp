@@ -43,9 +43,6 @@ class SkimmingJudge : public TipPlaces {
  private:
   [[nodiscard]] double free_curvature(const State& state, int blade,
                                       const std::complex<double>& others) const;
-  [[nodiscard]] contact::BladeDirection direction(const State& state, int blade) const {
-    return blades().direction(blade, first_blade(state));
-  }
 };
 
 }  // namespace rubatlas::modes

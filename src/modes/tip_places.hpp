@@ -18,34 +18,22 @@ class TipPlaces {
   [[nodiscard]] const rotor::RotorConstants& rotor() const { return machine_->constants; }
   [[nodiscard]] const rotor::BladeSet& blades() const { return machine_->blades; }
   [[nodiscard]] double ring_radius() const { return law_->geometry(0).ring_radius; }
+  // `state`: any that begins with x, y, x', y', τ, or, for the first of these, x, y, x', y'.
+
   /// |v| of a slip reversal that has been located [m per unit τ].
-  template <class State>
-  [[nodiscard]] double slip_rounding(const State& state) const {
+  [[nodiscard]] double slip_rounding(const auto& state) const {
     return contact::slip_rounding(rotor().speed_ratio * ring_radius(), state[2], state[3]);
   }
-
-  /// Direction of blade 0 in a state.
-  template <class State>
-  [[nodiscard]] contact::BladeDirection first_blade(const State& state) const {
-    return blades().first(state[rotor::kTime]);
+  [[nodiscard]] contact::BladeDirection direction(int blade, const auto& state) const {
+    return blades().direction(blade, blades().first(state[rotor::kTime]));
   }
-  template <class State>
-  [[nodiscard]] double angular_speed(const State& state) const {
+  [[nodiscard]] double angular_speed(const auto& state) const {
     return blades().angular_speed(state[rotor::kTime]);
   }
-  template <class State>
-  [[nodiscard]] contact::Pose pose(int blade, const State& state) const {
-    return pose(blade, state, first_blade(state));
+  [[nodiscard]] contact::Pose pose(int blade, const auto& state) const {
+    return rotor::pose_of(rotor(), law_->geometry(blade), direction(blade, state), rotor::from_ring(state));
   }
-  /// The same when blade 0 stands at `first`, for all blades in one state.
-  template <class State>
-  [[nodiscard]] contact::Pose pose(int blade, const State& state,
-                                   const contact::BladeDirection& first) const {
-    return rotor::pose_of(rotor(), law_->geometry(blade), blades().direction(blade, first),
-                          rotor::from_ring(state));
-  }
-  template <class State>
-  [[nodiscard]] TipPlace tip_place(int blade, const State& state) const {
+  [[nodiscard]] TipPlace tip_place(int blade, const auto& state) const {
     return {pose(blade, state), angular_speed(state)};
   }
 
