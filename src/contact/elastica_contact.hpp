@@ -210,20 +210,17 @@ class ElasticaContact : public ElasticBladeInRing {
     return curve_->at(bending);
   }
   /// h [m²] there. `point`: of the curve or one of its knots.
-  template <class Point>
-  [[nodiscard]] double residual(const Pose& at, double slip, const Point& point) const {
+  [[nodiscard]] double residual(const Pose& at, double slip, const auto& point) const {
     return contact_equation(at.gap, unbent_tip(geometry_, at), bent_by(slip, point)) -
            widening(yield_unit_ * point.load, geometry_.ring_radius);
   }
 
  private:
   /// (δ, s Δ) [m].
-  template <class Point>
-  [[nodiscard]] BladeVector<double> bent_by(double slip, const Point& point) const {
+  [[nodiscard]] BladeVector<double> bent_by(double slip, const auto& point) const {
     return {length_ * point.shortening, slip * length_ * point.deflection};
   }
-  template <class Point>
-  [[nodiscard]] BladeVector<double> tip(const Pose& at, double slip, const Point& point) const {
+  [[nodiscard]] BladeVector<double> tip(const Pose& at, double slip, const auto& point) const {
     return unbent_tip(geometry_, at) - bent_by(slip, point);
   }
   /// What ∂h/∂u has of the bend, and of the ring that yields [m²].
@@ -232,8 +229,7 @@ class ElasticaContact : public ElasticBladeInRing {
     [[nodiscard]] double sum() const { return shortening + deflection + ring; }
     [[nodiscard]] double size() const { return std::abs(shortening) + std::abs(deflection) + std::abs(ring); }
   };
-  template <class Point>
-  [[nodiscard]] SlopeParts slope_parts(const Pose& at, double slip, const Point& point) const {
+  [[nodiscard]] SlopeParts slope_parts(const Pose& at, double slip, const auto& point) const {
     const BladeVector<double> there = tip(at, slip, point);
     const double twice = -2.0 * length_;
     return {twice * there.along * point.shortening_slope,
@@ -241,8 +237,7 @@ class ElasticaContact : public ElasticBladeInRing {
             -2.0 * yield_unit_ * (geometry_.ring_radius + yield_unit_ * point.load) * point.load_slope};
   }
   /// ∂h/∂u.
-  template <class Point>
-  [[nodiscard]] double slope(const Pose& at, double slip, const Point& point) const {
+  [[nodiscard]] double slope(const Pose& at, double slip, const auto& point) const {
     return slope_parts(at, slip, point).sum();
   }
   [[nodiscard]] Constraint constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,

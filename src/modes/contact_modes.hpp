@@ -38,8 +38,7 @@ class ContactModes : public TipPlaces {
   /// Those under the law of rest.
   [[nodiscard]] ContactPhases& resting() { return made(resting_, tips_at_rest_->setup); }
   /// Calls `use` with each phase that has been asked for.
-  template <class Use>
-  void each_phase(Use use) const {
+  void each_phase(const auto& use) const {
     for (const auto* phases : {&phases_, &resting_}) {
       if (*phases != nullptr) (*phases)->each(use);
     }

@@ -97,8 +97,7 @@ struct DirectionsOfRow {
   RowValues cosine, sine;
 
   /// Each turned by an angle, as a direction of that angle has it.
-  template <class Direction>
-  [[nodiscard]] DirectionsOfRow turned(const Direction& by) const {
+  [[nodiscard]] DirectionsOfRow turned(const auto& by) const {
     return {cosine * by.cosine - sine * by.sine, sine * by.cosine + cosine * by.sine};
   }
 };
