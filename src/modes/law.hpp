@@ -3,11 +3,14 @@
 /// what cannot occur under it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "collocation/arc_law.hpp"
 #include "contact/directed_elastica.hpp"
@@ -15,7 +18,7 @@
 #include "contact/unequal_blades.hpp"
 #include "modes/contact_setup.hpp"
 #include "modes/open_contact.hpp"
-#include "modes/rest_judge.hpp"
+#include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::modes {
@@ -27,6 +30,27 @@ enum class Standing : std::uint8_t { stands, free, lost };
 struct TipPlace {
   contact::Pose pose;
   double speed;
+};
+
+/// Who judges which tips rest on the ring, and which slip.
+class RestJudge {
+ public:
+  RestJudge() = default;
+  RestJudge(const RestJudge&) = delete;
+  RestJudge& operator=(const RestJudge&) = delete;
+  virtual ~RestJudge() = default;
+
+  using Tell = std::function<void(const OpenContact&)>;
+  /// Frees the tips at rest that friction cannot hold in a state, and calls `tell` for each of them. False
+  /// where a tip is left neither rest nor a direction of slip (MODEL 5).
+  virtual bool settle(const rotor::ContactState& state, std::vector<OpenContact>& contacts,
+                      const Tell& tell) = 0;
+  /// The slip velocity of a tip has come to zero: it rests or slips. False where it can do neither.
+  virtual bool arrest(const rotor::ContactState& state, std::vector<OpenContact>& contacts,
+                      std::size_t contact) = 0;
+  /// A tip at rest that friction no longer holds slips. False where it has no direction.
+  virtual bool let_go(const rotor::ContactState& state, std::vector<OpenContact>& contacts,
+                      std::size_t contact) = 0;
 };
 
 class Law {
@@ -92,7 +116,7 @@ class Law {
   }
   // Where slip reversals accumulate (MODEL 4.4):
   /// Whether the model says what follows there.
-  [[nodiscard]] virtual bool knows_rest() const { return true; }
+  [[nodiscard]] virtual bool knows_rest() const { return law_of_rest(0).has_value(); }
   /// The law of a blade whose tip then rests, held by a friction coefficient within [−μ, μ], if it is another
   /// one. A tip that slips has the same force under both.
   [[nodiscard]] virtual std::optional<contact::DirectedElastica> law_of_rest(int /*blade*/) const {

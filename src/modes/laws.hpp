@@ -28,6 +28,7 @@ class LawOfRigidBlades final : public LawOfBlades<LawOfRigidBlades, contact::Ela
   [[nodiscard]] std::unique_ptr<collocation::ArcLaw> arcs(const rotor::Machine& machine,
                                                           double max_shortening) const override;
   [[nodiscard]] std::unique_ptr<RestJudge> rest_judge(const ContactSetup& setup) const override;
+  [[nodiscard]] bool knows_rest() const override { return true; }
   [[nodiscard]] bool sticks() const { return of(0).friction().sticks; }
 };
 
@@ -45,7 +46,6 @@ class LawOfDampedRing final : public LawOfBlades<LawOfDampedRing, contact::Elast
   [[nodiscard]] bool open(const TipPlace& at, OpenContact& contact) const override;
   /// A blade that has unbent to the ring's circle stays in contact where the ring pushes it.
   [[nodiscard]] bool straightens(const TipPlace& at, OpenContact& contact) const override;
-  [[nodiscard]] bool knows_rest() const override { return false; }
 };
 
 /// Elastic blades under an inclined load, which have two unknowns, κ and φ. The mode that begins finds both
@@ -106,8 +106,6 @@ class LawOfAxialLoads final : public LawOfBlades<LawOfAxialLoads, contact::Elast
   /// A column whose u has come to 0 while its tip is still in the ring (g > 0) stands straight from there on.
   [[nodiscard]] bool straightens(const TipPlace& at, OpenContact& contact) const override;
 
-  /// For some elastic blades the model does not say it.
-  [[nodiscard]] bool knows_rest() const override { return law_of_rest(0).has_value(); }
   [[nodiscard]] std::optional<contact::DirectedElastica> law_of_rest(int blade) const override;
   [[nodiscard]] bool bends_in_u() const override { return true; }
 };

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "contact/directed_elastica.hpp"
+#include "modes/law.hpp"
 #include "modes/open_contact.hpp"
-#include "modes/rest_judge.hpp"
 #include "modes/tip_places.hpp"
 #include "rotor/bodies.hpp"
 
