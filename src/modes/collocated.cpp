@@ -46,18 +46,11 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
   for (std::size_t i = 0; i < contacts.size() && touching_.size() == i; ++i) {
     const OpenContact& open = contacts[i];
     const contact::Pose at = arc_.pose(open.blade, {.time = time, .bodies = state, .bending = {}});
-    const collocation::Touch touch{.blade = open.blade,
-                                   .slip = open.slip,
-                                   .bending = open.bending,
-                                   .bend = open.bend,
-                                   .yielding = open.yielding,
-                                   .straight = open.straight,
-                                   .skims = open.skims};
     const double speed = blades_->angular_speed(time);
-    if (const auto opened = law_->open(touch, at, speed)) {
+    if (const auto opened = law_->open(open, at, speed)) {
       contacts_[i].straight = opened->straight;
       touching_.push_back(*opened);
-    } else if (law_->is_free_at_once(touch, at, speed)) {
+    } else if (law_->is_free_at_once(open, at, speed)) {
       at_once_ = {Guard::lift_off, open.blade};
     } else if (open.straight) {
       at_once_ = {Guard::pressed_in, open.blade};
