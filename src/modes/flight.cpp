@@ -78,19 +78,14 @@ double Flight::shaft_bound(double time, const rotor::State& state, double horizo
   return result;
 }
 
-FlightBound Flight::bound(double time, const rotor::ShaftAndRing& bodies, double horizon) const {
-  FlightBound result{shaft_bound(time, rotor::shaft(bodies), horizon, true)};
+FlightBound Flight::bound(double time, const rotor::ShaftAndRing& bodies, double horizon,
+                          bool of_velocity) const {
+  FlightBound result{shaft_bound(time, rotor::shaft(bodies), horizon, of_velocity)};
   if (ring_ != nullptr) {
     result.ring_velocity = ring_->energy_norm(rotor::ring(bodies));
     result.ring_position = result.ring_velocity / ring_->frequency();
   }
   return result;
-}
-
-double Flight::bound_from_ring(double time, const rotor::ShaftAndRing& bodies, double horizon) const {
-  const double of_shaft = displacement_bound(time, rotor::shaft(bodies), horizon);
-  return ring_ != nullptr ? of_shaft + ring_->energy_norm(rotor::ring(bodies)) / ring_->frequency()
-                          : of_shaft;
 }
 
 double Flight::time_of_bound() const {

@@ -57,12 +57,15 @@ class Flight {
   ///
   /// On an isotropic shaft damping only reduces (|z|² + |z'|²)^½, so that it grows by |forcing| per unit of
   /// time at most; and that of the distance to the steady response does not grow at all.
-  [[nodiscard]] FlightBound bound(double time, const rotor::ShaftAndRing& bodies, double horizon) const;
+  [[nodiscard]] FlightBound bound(double time, const rotor::ShaftAndRing& bodies, double horizon,
+                                  bool of_velocity = true) const;
   /// The same of |z| alone, and of |z − r| [m].
   [[nodiscard]] double displacement_bound(double time, const rotor::State& shaft, double horizon) const {
     return shaft_bound(time, shaft, horizon, false);
   }
-  [[nodiscard]] double bound_from_ring(double time, const rotor::ShaftAndRing& bodies, double horizon) const;
+  [[nodiscard]] double bound_from_ring(double time, const rotor::ShaftAndRing& bodies, double horizon) const {
+    return bound(time, bodies, horizon, false).position();
+  }
   /// The time over which a bound is to be asked for. Where free motion may grow, the bound is renewed after
   /// this time; else the time is infinite.
   [[nodiscard]] double time_of_bound() const;
