@@ -10,26 +10,10 @@
 
 namespace rubatlas::modes {
 
-namespace {
-
-class PhasesOnArcs final : public ContactPhases {
- public:
-  PhasesOnArcs(const ContactSetup& setup, std::unique_ptr<collocation::ArcLaw> arcs)
-      : phase_(*setup.machine, std::move(arcs), setup.limits, *setup.meter) {}
-
-  Phase& of(const std::vector<OpenContact>& /*contacts*/) override { return phase_; }
-  void each(const std::function<void(const Phase&)>& use) const override { use(phase_); }
-
- private:
-  Collocated phase_;
-};
-
-}  // namespace
-
 std::unique_ptr<ContactPhases> phases_on_arcs(const ContactSetup& setup) {
   auto arcs = setup.law->arcs(*setup.machine, setup.limits.max_shortening);
   if (arcs == nullptr) throw std::logic_error("contacts that have no arcs are asked to follow them");
-  return std::make_unique<PhasesOnArcs>(setup, std::move(arcs));
+  return std::make_unique<Collocated>(*setup.machine, std::move(arcs), setup.limits, *setup.meter);
 }
 
 ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& state,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,7 +24,8 @@
 
 namespace rubatlas::modes {
 
-class Collocated final : public Phase {
+/// One phase for all contacts of a motion.
+class Collocated final : public Phase, public ContactPhases {
  public:
   /// The machine and the meter outlive the mode.
   Collocated(const rotor::Machine& machine, std::unique_ptr<collocation::ArcLaw> law,
@@ -45,6 +47,8 @@ class Collocated final : public Phase {
   [[nodiscard]] End where_it_ended() override;
   [[nodiscard]] OpenContact contact_at_end(std::size_t contact) override;
   [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) override;
+  Phase& of(const std::vector<OpenContact>& /*contacts*/) override { return *this; }
+  void each(const std::function<void(const Phase&)>& use) const override { use(*this); }
 
   // The piece of motion that is being recorded.
   [[nodiscard]] double begin() const override { return piece_begin_; }
