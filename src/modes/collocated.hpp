@@ -13,7 +13,6 @@
 
 #include "collocation/arc_law.hpp"
 #include "collocation/contact_arc.hpp"
-#include "modes/contact_setup.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/phase.hpp"

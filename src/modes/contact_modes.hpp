@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "modes/contact_setup.hpp"
 #include "modes/laws.hpp"
 #include "modes/open_contact.hpp"
 #include "modes/phase.hpp"

@@ -16,12 +16,13 @@
 #include "contact/directed_elastica.hpp"
 #include "contact/tip.hpp"
 #include "contact/unequal_blades.hpp"
-#include "modes/contact_setup.hpp"
 #include "modes/open_contact.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::modes {
+
+struct ContactSetup;
 
 /// What has become of a contact: it stands in equilibrium, it is free, or neither (MODEL 5).
 enum class Standing : std::uint8_t { stands, free, lost };

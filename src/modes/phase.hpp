@@ -1,5 +1,5 @@
 /// One phase in contact: the motion in one mode, from a reset to the next guard. Who makes the phases of a
-/// motion.
+/// motion, and from what.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "ending/status.hpp"
-#include "modes/contact_setup.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/open_contact.hpp"
+#include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
+#include "rotor/machine.hpp"
 #include "trajectory/motion_piece.hpp"
 
 namespace rubatlas::modes {
@@ -73,7 +74,22 @@ class ContactPhases {
   virtual void each(const std::function<void(const Phase&)>& use) const = 0;
 };
 
-/// What the setup points at outlives the phases.
+class Law;
+
+/// What bounds a mode in contact and how accurate it is.
+struct ContactLimits {
+  double tolerance;       ///< local error of a step [m]: accuracy.tolerance × δc
+  double max_shortening;  ///< of δ/L [-]
+};
+
+/// What the modes of one motion share; all of it outlives them.
+struct ContactSetup {
+  const rotor::Machine* machine;
+  const Law* law;
+  ContactLimits limits;
+  WorkMeter* meter;
+};
+
 using MakePhases = std::unique_ptr<ContactPhases>(const ContactSetup&);
 /// By collocation (`Collocated`), which has one phase for all contacts. The law has arcs (`Law::arcs`);
 /// throws `std::logic_error` where it has none.

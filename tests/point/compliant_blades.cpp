@@ -8,7 +8,7 @@
 
 #include "compliant_motion.hpp"
 #include "modes/collocated.hpp"
-#include "modes/contact_setup.hpp"
+#include "modes/phase.hpp"
 
 namespace rubatlas::test::compliant {
 namespace {
