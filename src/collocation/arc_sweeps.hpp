@@ -357,5 +357,11 @@ class ArcSweeps {
   bool direction_holds_ = false;  ///< er_ is that of the deviation, to rounding
 };
 
+/// What sweeps call is a few operations on registers each: all of it is one function.
+template <class Sweeps, class... With>
+[[gnu::flatten, gnu::noinline]] bool solved_by(const Contact& contact, With&&... with) {
+  return Sweeps(contact, with...).solve();
+}
+
 }  // namespace
 }  // namespace rubatlas::collocation

@@ -382,13 +382,6 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   Number per_residual_;  ///< Newton's step along the normal for a residual of h
 };
 
-/// What it calls is a few operations on registers each, and would take more as functions of their own.
-template <std::size_t kWidth>
-[[gnu::flatten, gnu::noinline]] bool plain_solved(const Contact& contact, const Closeness& closeness,
-                                                  Interval& interval) {
-  return Sweeps<kWidth, true>(contact, closeness, interval).solve();
-}
-
 /// `kPlainWidth`: for the paper's rotor, whose sweeps may gain more from many registers than from wide ones.
 template <std::size_t kWidth, std::size_t kPlainWidth = kWidth>
 bool solved(const Contact& contact, const Closeness& closeness, Interval& interval) {
@@ -400,7 +393,7 @@ bool solved(const Contact& contact, const Closeness& closeness, Interval& interv
       machine.is_plain() && stands(*contact.blade) && !contact.skims && !std::isfinite(closeness.step);
   for (const FurtherBlade& further : interval.further)
     plain = plain && stands(*further.blade) && !further.skims;
-  return plain ? plain_solved<kPlainWidth>(contact, closeness, interval)
+  return plain ? solved_by<Sweeps<kPlainWidth, true>>(contact, closeness, interval)
                : Sweeps<kWidth, false>(contact, closeness, interval).solve();
 }
 

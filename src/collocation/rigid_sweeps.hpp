@@ -124,7 +124,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   }
 
   template <bool kLight>
-  [[gnu::flatten]] double sweep() {  // as `plain_solved` is
+  [[gnu::flatten]] double sweep() {  // as `solved_by` is
     if (this->ring_is_massless()) {
       place_ring();
       return this->move(ring_.place(interval_.ring) * (-machine_.ring.spring * machine_.force_unit));
@@ -208,7 +208,7 @@ template <std::size_t kWidth>
 bool rigid_solved(const Contact& contact, const contact::Friction& friction, const Closeness& closeness,
                   Interval& interval) {
   return contact.machine->is_plain()
-             ? RigidSweeps<kWidth, true>(contact, friction, closeness, interval).solve()
+             ? solved_by<RigidSweeps<kWidth, true>>(contact, friction, closeness, interval)
              : RigidSweeps<kWidth, false>(contact, friction, closeness, interval).solve();
 }
 
