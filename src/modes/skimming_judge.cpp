@@ -11,9 +11,11 @@ bool SkimmingJudge::begins(const State& state, const std::vector<OpenContact>& c
   if (!others) return false;
   // Hops are seldom that low: the blade's force is asked for only where they are.
   OpenContact contact = contacts.front();
-  const double rate =
-      contact::gap_rate(law_->geometry(contact.blade), pose(contact.blade, state), angular_speed(state));
-  const double curvature = free_curvature(state, contact.blade, *others);
+  const contact::Geometry& geometry = law_->geometry(contact.blade);
+  const contact::BladeDirection er = direction(contact.blade, state);
+  const contact::Pose at = pose(contact.blade, state, er);
+  const double rate = contact::gap_rate(geometry, at, angular_speed(state));
+  const double curvature = rotor::free_gap_curvature(machine(), geometry, er, at, state, *others);
   if (!(rate * rate <= 4.0 * ring_radius() * hop * curvature)) return false;
   const auto balance = weigh(state, contact, *others);
   return balance && balance->share > 0.0 && balance->share < 1.0;
@@ -21,15 +23,16 @@ bool SkimmingJudge::begins(const State& state, const std::vector<OpenContact>& c
 
 std::optional<SkimmingJudge::Balance> SkimmingJudge::weigh(const State& state, OpenContact& contact,
                                                            const std::complex<double>& others) const {
+  const contact::Geometry& geometry = law_->geometry(contact.blade);
+  const contact::BladeDirection er = direction(contact.blade, state);
+  const contact::Pose at = pose(contact.blade, state, er);
   contact::TipForce force{};
-  const contact::Pose at = pose(contact.blade, state);
   contact::Pose on_ring = at;
   on_ring.gap = 0.0;  // what rounding leaves of it would bend a blade of hardly any friction
   if (!law_->respond({on_ring, angular_speed(state)}, contact, force)) return std::nullopt;
-  const double share = -free_curvature(state, contact.blade, others) /
-                       rotor::pushed_gap_curvature(machine(), law_->geometry(contact.blade), at, force);
-  return Balance{contact::on_rotor(force, direction(contact.blade, state)), share,
-                 rotor::share_of(force, share)};
+  const double share = -rotor::free_gap_curvature(machine(), geometry, er, at, state, others) /
+                       rotor::pushed_gap_curvature(machine(), geometry, at, force);
+  return Balance{contact::on_rotor(force, er), share, rotor::share_of(force, share)};
 }
 
 std::optional<std::complex<double>> SkimmingJudge::force_of_others(
@@ -42,13 +45,6 @@ std::optional<std::complex<double>> SkimmingJudge::force_of_others(
     sum += contact::on_rotor(force, direction(open.blade, state));
   }
   return sum;
-}
-
-/// g'' [m² per unit τ²] of the motion without the blade, under the force of the others.
-double SkimmingJudge::free_curvature(const State& state, int blade,
-                                     const std::complex<double>& others) const {
-  return rotor::free_gap_curvature(machine(), law_->geometry(blade), direction(blade, state),
-                                   pose(blade, state), state, others);
 }
 
 }  // namespace rubatlas::modes

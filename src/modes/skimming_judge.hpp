@@ -39,10 +39,6 @@ class SkimmingJudge : public TipPlaces {
   /// What the contacts behind the first do to the rotor [N]; none where one has no force.
   [[nodiscard]] std::optional<std::complex<double>> force_of_others(
       const State& state, const std::vector<OpenContact>& contacts) const;
-
- private:
-  [[nodiscard]] double free_curvature(const State& state, int blade,
-                                      const std::complex<double>& others) const;
 };
 
 }  // namespace rubatlas::modes

@@ -30,8 +30,11 @@ class TipPlaces {
   [[nodiscard]] double angular_speed(const auto& state) const {
     return blades().angular_speed(state[rotor::kTime]);
   }
+  [[nodiscard]] contact::Pose pose(int blade, const auto& state, const contact::BladeDirection& er) const {
+    return rotor::pose_of(rotor(), law_->geometry(blade), er, rotor::from_ring(state));
+  }
   [[nodiscard]] contact::Pose pose(int blade, const auto& state) const {
-    return rotor::pose_of(rotor(), law_->geometry(blade), direction(blade, state), rotor::from_ring(state));
+    return pose(blade, state, direction(blade, state));
   }
   [[nodiscard]] TipPlace tip_place(int blade, const auto& state) const {
     return {pose(blade, state), angular_speed(state)};
