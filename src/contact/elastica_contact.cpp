@@ -22,8 +22,8 @@ auto ElasticaContact::constraint_at(const Pose& at, double slip, const blade::Cu
 }
 
 std::optional<double> ElasticaContact::solve(const Pose& at, double slip) const {
-  if (has_branches_) return solve_on_branches(at, slip);
-  if (releases_at_fold() && at.gap < -gap_rounding(geometry(), at)) return solve_beyond_ring(at, slip);
+  const bool beyond_ring = releases_at_fold() && at.gap < -gap_rounding(geometry(), at);
+  if (has_branches_ || beyond_ring) return solve_on_branches(at, slip);
   const auto& knots = curve_->knots();
   // The residual is positive from the unloaded blade on (g > 0; on the receding side it first rises) and
   // falls through zero once: walk up the curve until it has.
@@ -62,37 +62,6 @@ double ElasticaContact::bending_at_ring(const Pose& at, double slip) const {
     at_low = at_high;
   }
   return 0.0;
-}
-
-std::optional<double> ElasticaContact::solve_beyond_ring(const Pose& at, double slip) const {
-  // h is negative at the unloaded blade, rises up to the fold and falls from there on.
-  constexpr double kNextToUnloaded = 1e-6;  // of the first piece
-  const auto& knots = curve_->knots();
-  // ∂h/∂u, which for μ > 0 passes zero at u = 0, too.
-  const auto measure = [&](double bending) {
-    const double of_residual = slope(at, slip, curve_at(bending));
-    return friction_ > 0.0 ? of_residual / bending : of_residual;
-  };
-  double before = kNextToUnloaded * knots[1].bending;
-  double at_before = measure(before);
-  if (!(at_before > 0.0)) return std::nullopt;
-  auto knot = knots.begin() + 1;
-  double at_knot = measure(knot->bending);
-  while (at_knot > 0.0) {
-    before = knot->bending;
-    at_before = at_knot;
-    if (++knot == knots.end()) return std::nullopt;
-    at_knot = measure(knot->bending);
-  }
-  const auto function = [&](double bending) { return residual(at, slip, curve_at(bending)); };
-  const double fold = at_knot < 0.0
-                          ? integrate::root_between(measure, before, knot->bending, at_before, at_knot)
-                          : knot->bending;
-  const double at_fold = function(fold);
-  if (!(at_fold > 0.0)) return std::nullopt;
-  knot = std::find_if(knot, knots.end(), [&](const auto& after) { return residual(at, slip, after) < 0.0; });
-  if (knot == knots.end()) return std::nullopt;
-  return integrate::root_between(function, fold, knot->bending, at_fold, function(knot->bending));
 }
 
 auto ElasticaContact::branches(const Pose& at, double slip) const -> Branches {

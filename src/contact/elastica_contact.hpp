@@ -250,9 +250,6 @@ class ElasticaContact : public ElasticBladeInRing {
   /// determined where h rises from the unloaded blade by less than the rounding of g. 0 on the approaching
   /// side.
   [[nodiscard]] double bending_at_ring(const Pose& at, double slip) const;
-  /// Root beyond the fold where the undeformed tip has left the ring, g < 0; none where the fold has too.
-  [[nodiscard]] std::optional<double> solve_beyond_ring(const Pose& at, double slip) const;
-
   /// A stretch of the curve on which h falls, where a blade can stand.
   struct Branch {
     double begin;  ///< u of a fold; 0: the unloaded blade
