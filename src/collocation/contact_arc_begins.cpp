@@ -1,19 +1,15 @@
-// How an arc begins, and begins anew: who leads, what is known where it takes the lead, how tips set out to
-// slip, and what holds straight ones at rest.
+// How an arc begins, and begins anew: who leads, and what is known where it takes the lead.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "collocation/contact_arc.hpp"
-#include "contact/sticking.hpp"
-#include "rotor/skimming.hpp"
 
 namespace rubatlas::collocation {
 
@@ -178,126 +174,6 @@ bool ContactArc::begin_anew(std::size_t leader) {
   for (std::size_t k = 0; k < further_.size(); ++k) further_[k].tip.start_gap = gaps[k];
   predictor_.begin_interval();
   return found.has_value();
-}
-
-/// The sign of v where it starts from zero: that of s, or, of a straight tip that may slip back, of dv/dτ.
-/// `acceleration`: of the shaft, seen from the ring.
-void ContactArc::set_out(int blade, double slip, const std::complex<double>& acceleration,
-                         double& velocity) const {
-  if (slip == 0.0 || std::abs(velocity) > slip_rounding()) return;
-  const double ahead =
-      law_->may_slip_back() && is_straight(blade) ? slip_acceleration(blade, end_, acceleration) : slip;
-  velocity = std::copysign(std::numeric_limits<double>::min(), ahead);
-}
-
-/// The same of bent tips that may slip back, which the solved interval tells: their v follows from how they
-/// bend.
-void ContactArc::set_out_as_solved() {
-  if (!law_->may_slip_back()) return;
-  const auto sign_as_solved = [this](double slip, bool straight, const TipInTime& tip, double& velocity) {
-    if (slip == 0.0 || straight || !slips_from_zero(velocity)) return;
-    const double left = std::max(slip_rounding(), kClosest * tolerance_);
-    const auto known =
-        std::ranges::find_if(tip.slip_velocity.value, [left](double v) { return std::abs(v) > left; });
-    if (known != tip.slip_velocity.value.end()) velocity = std::copysign(velocity, *known);
-  };
-  Interval& next = trial();
-  sign_as_solved(contact_.slip, is_straight(blade_), next, at_end_.start_slip_velocity);
-  next.start_slip_velocity = at_end_.start_slip_velocity;
-  for (std::size_t k = 0; k < further_.size(); ++k) {
-    FurtherStart& further = further_[k];
-    sign_as_solved(further.slip, further.straight, next.further[k], further.tip.start_slip_velocity);
-    next.further[k].start_slip_velocity = further.tip.start_slip_velocity;
-  }
-}
-
-/// dv/dτ of a straight tip under an acceleration of the shaft, seen from the ring.
-double ContactArc::slip_acceleration(int blade, const Point& point,
-                                     const std::complex<double>& acceleration) const {
-  const contact::BladeDirection er = direction(blade, point.time);
-  const contact::Geometry geometry = law_->geometry(blade);
-  const std::complex<double> seen = acceleration * std::complex<double>(er.cosine, -er.sine);
-  const double turning = geometry.reach * blades_->angular_acceleration(point.time);
-  return contact::slip_acceleration(geometry, pose(blade, point), blades_->angular_speed(point.time),
-                                    {seen.real(), seen.imag() + turning});
-}
-
-/// Direction of the slip of a straight tip.
-std::complex<double> ContactArc::tangent(int blade, const Point& point) const {
-  const contact::BladeDirection er = direction(blade, point.time);
-  return contact::tangent(law_->geometry(blade), pose(blade, point)) *
-         std::complex<double>(er.cosine, er.sine);
-}
-
-/// Finds c of rigid tips at rest among all that touch: those that take away dv/dτ of each.
-void ContactArc::hold(std::span<Touch> touching, const Point& point) const {
-  std::complex<double> sum;
-  for (Touch& touch : touching) {
-    touch.holding = 0.0;
-    sum += contact::on_rotor(force(touch, point), direction(touch.blade, point.time));
-  }
-  const std::complex<double> acceleration =
-      whole_->acceleration(rotor::full_state(point.bodies, point.time, 0.0), sum).shaft;
-  std::array<contact::AtRest, contact::kMostAtRest> tips{};
-  std::array<Touch*, contact::kMostAtRest> touches{};
-  std::size_t count = 0;
-  for (Touch& touch : touching) {
-    if (touch.slip != 0.0 || count == contact::kMostAtRest) continue;
-    touches[count] = &touch;
-    tips[count++] = {tangent(touch.blade, point), slip_acceleration(touch.blade, point, acceleration)};
-  }
-  contact::share_out(std::span(tips).first(count));
-  for (std::size_t i = 0; i < count; ++i)
-    touches[i]->holding = tips[i].pull / (force(*touches[i], point).normal * rotor_->force_unit);
-}
-
-/// Finds λ of the tip that skims, under the forces of the others.
-void ContactArc::skim(std::span<Touch> touching, const Point& point) const {
-  const rotor::ContactState state = rotor::full_state(point.bodies, point.time, 0.0);
-  Touch& skims = *std::ranges::find(touching, true, &Touch::skims);
-  std::complex<double> others;
-  for (const Touch& touch : touching) {
-    if (!touch.skims) others += contact::on_rotor(force(touch, point), direction(touch.blade, point.time));
-  }
-  skims.share = 1.0;
-  const contact::Geometry geometry = law_->geometry(skims.blade);
-  const contact::Pose there = pose(skims.blade, point);
-  skims.share = -rotor::free_gap_curvature(*whole_, geometry, direction(skims.blade, point.time), there,
-                                           state, others) /
-                rotor::pushed_gap_curvature(*whole_, geometry, there, force(skims, point));
-}
-
-/// The blade of the tip that skims, or none.
-int ContactArc::skimming_blade() const {
-  if (contact_.skims) return blade_;
-  const auto skims = std::ranges::find(further_, true, &FurtherStart::skims);
-  return skims == further_.end() ? kNoBlade : skims->blade;
-}
-
-/// Takes from the shaft's velocity what is left of v of straight tips at rest at the end, which is not to
-/// drift, and of a tip whose slip has reversed, the shortest way: its v does not jump where s changes, and
-/// its sign would be taken for that of what follows.
-void ContactArc::bring_to_rest(int reversed) {
-  if (reversed == kNoBlade && contact_.slip != 0.0 && further_.empty()) return;
-  std::array<contact::AtRest, contact::kMostAtRest> tips{};
-  std::size_t count = 0;
-  const auto take = [&](int blade) {
-    if (count == contact::kMostAtRest) return;
-    const double v = contact::undeformed_slip_velocity(law_->geometry(blade), pose(blade, end_),
-                                                       blades_->angular_speed(end_.time));
-    tips[count++] = {tangent(blade, end_), v};
-  };
-  const auto take_at_rest = [&](int blade, double slip) {
-    if (slip == 0.0 && blade != reversed && is_straight(blade)) take(blade);
-  };
-  take_at_rest(blade_, contact_.slip);
-  for (const FurtherStart& further : further_) take_at_rest(further.blade, further.slip);
-  if (reversed != kNoBlade) take(reversed);
-  contact::share_out(std::span(tips).first(count));
-  for (std::size_t i = 0; i < count; ++i) {
-    end_.bodies[2] -= tips[i].pull * tips[i].tangent.real();
-    end_.bodies[3] -= tips[i].pull * tips[i].tangent.imag();
-  }
 }
 
 }  // namespace rubatlas::collocation

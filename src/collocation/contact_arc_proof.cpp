@@ -1,0 +1,142 @@
+// The proof that an interval holds: that no guard is met in it but the one that ends it.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "collocation/contact_arc.hpp"
+#include "collocation/interval_samples.hpp"
+
+namespace rubatlas::collocation {
+
+Bounds ContactArc::bounds_of(const Interval& interval) const {
+  Bounds bounds{};
+  bounds.further.resize(interval.further.size());
+  solver_.bounds(contact_, interval, bounds);
+  return bounds;
+}
+
+/// No slip reverses but the one that ends the interval, no blade snaps, the shaft stays within the ring and
+/// the blades within their limit.
+bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
+  const auto keeps_slip = [&](int blade, double slip, double start, double least) {
+    if (!reverses(slip)) return true;
+    const bool reverses_here = ending.guard == Guard::slip_reversal && ending.blade == blade;
+    // Where v has been located as zero it has any sign. From zero a tip slips on by the square of the time,
+    // at first less than the rounding of v.
+    const double rounding = reverses_here            ? std::max(rounding_at_end_, slip_rounding())
+                            : slips_from_zero(start) ? slip_rounding()
+                                                     : 0.0;
+    const bool slips_on = rounding > 0.0 ? least >= -rounding : least > 0.0;
+    return slips_on && (slip * start > 0.0 || law_->may_slip_back());
+  };
+  const auto stays_short = [&](int blade, double largest) {
+    const bool limit_ends_it = ending.guard == Guard::shortening_limit && ending.blade == blade;
+    return limit_ends_it || largest < law_->valid_shortening(blade);
+  };
+  if (!(bounds.distance < machine().ring_radius) && ending.guard != Guard::shaft_at_ring) return false;
+  if (!stays_short(blade_, bounds.shortening)) return false;
+  if (!keeps_slip(blade_, contact_.slip, at_end_.start_slip_velocity, bounds.slip_velocity)) return false;
+  for (std::size_t k = 0; k < further_.size(); ++k) {
+    const FurtherStart& further = further_[k];
+    if (!stays_short(further.blade, bounds.further[k].shortening) ||
+        !keeps_slip(further.blade, further.slip, further.tip.start_slip_velocity,
+                    bounds.further[k].slip_velocity))
+      return false;
+  }
+  if (!(bounds.cone_left > 0.0)) return false;
+  return !contact_.leans || (bounds.time_slope > 0.0 && bounds.chart_left > 0.0);
+}
+
+/// Whether another tip does not touch within an interval: its gap [m²] stays below what is allowed, or, where
+/// it starts inside the ring, half of the rate of that.
+bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) {
+  const std::array<double, 2>& offset = offset_of(blade);
+  const double bound = solver_.largest_gap(contact_, interval, numbers(blade), offset);
+  gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
+  if (starts_inside(blade))
+    return largest_coefficient(course_of_tip(machine(), interval, numbers(blade), offset).rate) < allowed;
+  // A tip that has just lifted off may stand at the ring for a while.
+  return bound < allowed || bound < rotor_->gap_rounding(law_->geometry(blade));
+}
+
+/// Whether a fold is the lift-off of an unbent blade: time stands still there, too, so that rounding, or an
+/// error between the nodes where there can be no fold, is taken for one.
+bool ContactArc::is_next_to_unbent(const Interval& interval) const {
+  constexpr double kNear = 0.03;
+  if (contact_.leans && !(interval.lean.at_end() > 0.0)) return false;  // it is bent against its load
+  const double argument = interval.argument.at_end();
+  // A column that may stand straight bends from above the ring, where a fold may be one.
+  return argument < kNextToUnbent ||
+         (argument < kNear && !law_->may_stand_straight(blade_) &&
+          law_->starts_unloaded(blade_, contact_.slip, pose(blade_, end_of(interval))));
+}
+
+/// Whether an interval is to be made: what ends it, and that nothing does before.
+ContactArc::Verdict ContactArc::judge(Ending& ending) {
+  const Interval& next = trial();
+  const bool reaches_zero = next.chord.time == 0.0;
+  Bounds bounds = bounds_of(next);
+  const auto first = touch_down(next, guard_of_contacts(next, bounds));
+  if (!first) return Verdict::too_long;
+  ending = *first;
+  const bool in_part = ending.guard != Guard::none;
+  Interval& part = intervals_[made_];  // what has been made before is not asked for again
+  if (in_part) {
+    // It has been snapped to, or has set in, at the fold of its branch.
+    constexpr double kAtStart = 1e-11;  // θ
+    if (begins_ && seeks_fold_ && ending.guard == Guard::fold && ending.fraction < kAtStart) {
+      ending.guard = guard_of_tip(ending.guard);
+      return Verdict::at_once;
+    }
+    if (!cut_at(next, ending, part)) return Verdict::too_long;
+    // The load that would bend a blade has a kink where its tip passes the deepest place: beyond it the
+    // polynomial tells nothing of where it was pressed in, but that it is within times' rounding.
+    constexpr double kPressedIn = 1e-8;  // of F
+    if (ending.guard == Guard::pressed_in && is_straight(ending.blade) &&
+        std::abs(left_at_end(ending, part)) > kPressedIn * tip_of(part, ending.blade).normal_force.at_end())
+      return next.elapsed.at_end() > kImpact ? Verdict::too_long : Verdict::at_once;
+    // Beyond its ending the interval is no motion.
+    const bool lifts = ending.guard == Guard::unbent || ending.guard == Guard::under_load;
+    if (!lifts || !further_.empty() || !stays_valid(bounds, ending)) bounds = bounds_of(part);
+    // The tip that touches is at the ring at the end.
+    const double at_ring = 2.0 * machine().ring_radius * tolerance_;
+    gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
+    for (const int blade : others_) {
+      if (!stays_off(blade, part, blade == ending.blade ? at_ring : 0.0)) return Verdict::too_long;
+    }
+  }
+  // Another is close to its fold, where it may have been solved for on the wrong side.
+  const auto leads_next = std::ranges::find(bounds.further, false, &Bounds::OfFurther::stays);
+  const bool may_change = leads_next != bounds.further.end() && lead_changes_ < kMostLeadChanges;
+  const auto change_leader = [&] {
+    begin_anew(1 + static_cast<std::size_t>(leads_next - bounds.further.begin()));
+    ++lead_changes_;
+    return Verdict::another_leads;
+  };
+  // Bounds of shorter intervals tell.
+  if (!stays_valid(bounds, ending)) return begins_ && may_change ? change_leader() : Verdict::too_long;
+  displacement_bound_ = bounds.displacement;
+  argument_bound_ = bounds.argument;
+  // A blade that has just bent on a ring with dampers moves away from where it stood straight by the square
+  // of the time, at first by less than sweeps leave.
+  const bool stays_bent = begins_ ? bounds.gap_measure > -kClosest * tolerance_
+                                  : bounds.gap_measure > 0.0 && next.start_gap_measure > 0.0;
+  if (ending.guard != Guard::under_load && !is_held_beyond_ring() && !stays_bent) return Verdict::too_long;
+  const Interval& kept = in_part ? part : next;
+  if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;
+  ending.guard = guard_of_tip(ending.guard);
+  // Time goes on, but for rounding next to the unbent blade.
+  const bool is_all_but_unbent =
+      reaches_zero && next.chord.argument < 0.0 && next.start_argument < kNextToUnbent;
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const bool may_turn = is_all_but_unbent || (i + 1 == kNodes && (reaches_zero || in_part));
+    if (!(kept.time_slope[i] > 0.0) && !may_turn) return Verdict::too_long;
+  }
+  // To the one that is close to its fold, and back to one that is closer.
+  if (may_change) return change_leader();
+  if (leads_next != bounds.further.end()) return Verdict::too_long;
+  return in_part ? Verdict::holds_in_part : Verdict::holds;
+}
+
+}  // namespace rubatlas::collocation
