@@ -69,6 +69,13 @@ TouchdownSearch::TouchdownSearch(const rotor::Machine& machine, std::vector<cont
   }
 }
 
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find_by_steps(const Flight& flight, double until,
+                                                                         WorkMeter& meter) {
+  const double from = flight.start_time();
+  clear_until_.assign(clear_until_.size(), from);
+  return by_steps(flight, from, flight.at_start(), until, meter);
+}
+
 bool TouchdownSearch::shaft_at_ring(const Flight& flight, double until, WorkMeter& meter) const {
   const contact::Geometry shaft{0.0, blades_.front().ring_radius};
   const double misalignment = machine_->constants.misalignment;

@@ -36,6 +36,8 @@ class TouchdownSearch {
 
   /// Nothing also where the meter ends the revolution.
   std::optional<Touchdown> find(const Flight& flight, double until, WorkMeter& meter);
+  /// The same in steps only.
+  std::optional<Touchdown> find_by_steps(const Flight& flight, double until, WorkMeter& meter);
 
   /// Whether the shaft's centre reaches the ring before `until`, |c| = R, with no blade in contact (MODEL 5):
   /// the zero of the gap of a blade without length. False also where the meter ends the revolution.

@@ -1,10 +1,11 @@
 /// Rows of eight times of every kind of machine, against single states; the bounds of flight; touch-downs
-/// that are found in rows against what the tips do before.
+/// that are found in rows against those found in steps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <utility>
 #include <vector>
@@ -169,37 +170,40 @@ TEST(FlightRows, NoGapBendsMoreThanItsBoundAllows) {
   EXPECT_GT(closest, 0.5) << "some gap is bent about as much as the bound allows";
 }
 
-TEST(FlightRows, TheirTouchDownsAreTheFirstTimesWhenATipIsAtTheRing) {
+TEST(FlightRows, TheirTouchDownsAreThoseOfStepsThatNoTipCanOutrun) {
   std::mt19937_64 generator(3);
   modes::GoOn nobody;
   int found = 0;
+  std::uint64_t in_rows = 0;
+  std::uint64_t in_steps = 0;
   for (int trial = 0; trial < 3000; ++trial) {
     const RandomMachine random(generator);
-    modes::Flight flight(random.machine);
-    modes::TouchdownSearch search(random.machine, random.blades);
+    const rotor::Machine& machine = random.machine;
+    modes::Flight flight(machine);
+    modes::TouchdownSearch rows(machine, random.blades);
+    modes::TouchdownSearch steps(machine, random.blades);
     for (int start = 0; start < 4; ++start) {
       start_anywhere(generator, random, flight);
-      const double begin = flight.start_time();
-      if (largest_gap(random, flight, begin) >= 0.0) continue;
-      const double until = begin + between(generator, 0.0, 20.0);
+      if (largest_gap(random, flight, flight.start_time()) >= 0.0) continue;
+      const double until = flight.start_time() + between(generator, 0.0, 20.0);
       modes::WorkMeter meter;
       meter.begin_revolution(nobody);
-      const auto touchdown = search.find(flight, until, meter);
-      const double end = touchdown ? touchdown->time : until;
-      constexpr int kSamples = 300;
-      for (int i = 1; i < kSamples; ++i) {
-        const double time = begin + (end - begin) * i / kSamples;
-        ASSERT_LT(largest_gap(random, flight, time), 1e-15) << random.kind << ", trial " << trial;
-      }
+      const auto touchdown = rows.find(flight, until, meter);
+      const auto expected = steps.find_by_steps(flight, until, meter);
+      ASSERT_EQ(touchdown.has_value(), expected.has_value()) << random.kind << ", trial " << trial;
       if (!touchdown) continue;
       ++found;
-      ASSERT_NEAR(largest_gap(random, flight, end), 0.0, 1e-15) << random.kind;
-      const auto tip = search.tip(flight, touchdown->blade, end);
-      ASSERT_NEAR(tip.overlap, 0.0, 1e-14) << random.kind;
-      ASSERT_GE(tip.rate, 0.0) << random.kind;
+      ASSERT_EQ(touchdown->blade, expected->blade) << random.kind << ", trial " << trial;
+      ASSERT_NEAR(largest_gap(random, flight, touchdown->time), 0.0, 1e-15) << random.kind;
+      const double away = std::abs(touchdown->time - expected->time);
+      const auto tip = rows.tip(flight, touchdown->blade, touchdown->time);
+      ASSERT_LE(away * std::abs(tip.rate), 4e-15) << random.kind << ", " << away << " apart";
     }
+    in_rows += rows.evaluations();
+    in_steps += steps.evaluations();
   }
   EXPECT_GT(found, 1000);
+  EXPECT_LT(3 * in_rows, in_steps);
 }
 
 }  // namespace
