@@ -357,7 +357,8 @@ class ArcSweeps {
   bool direction_holds_ = false;  ///< er_ is that of the deviation, to rounding
 };
 
-/// What sweeps call is a few operations on registers each: all of it is one function.
+/// Solves an interval by sweeps of one kind. What they call is a few operations on registers each: in one
+/// function all of it takes a twelfth fewer instructions, and more of the compiler's time.
 template <class Sweeps, class... With>
 [[gnu::flatten, gnu::noinline]] bool solved_by(const Contact& contact, With&&... with) {
   return Sweeps(contact, with...).solve();
