@@ -9,7 +9,7 @@
 #include <span>
 
 #include "blade/bending_table.hpp"
-#include "collocation/further_blades.hpp"
+#include "collocation/blades_in_contact.hpp"
 #include "collocation/interval.hpp"
 #include "contact/tip.hpp"
 #include "rotor/bodies.hpp"
@@ -77,17 +77,17 @@ class ArcLaw {
   /// How often equilibria have been evaluated to find those.
   [[nodiscard]] virtual std::uint64_t evaluations() const { return 0; }
 
-  /// This contact leads, of all or `alone`. Gives how far its blade is bent.
-  virtual Bending lead(const Touch& touch, bool alone) = 0;
+  /// A contact begins anew with the arc, the leading one first, which may be `alone`.
+  virtual void take(const Touch& /*touch*/, bool /*alone*/) {}
+  /// This contact leads. Gives how far its blade is bent.
+  virtual Bending lead(const Touch& touch) = 0;
   /// ±1: to which side a blade is bent.
   [[nodiscard]] virtual double side(const Touch& touch) const { return touch.slip; }
-  /// A contact where the next interval starts, if it is new there, or its leader is.
-  struct Start {
-    contact::TipForce force;
-    TipStart tip{};           ///< but for `start_gap`
-    double ring_opens = 0.0;  ///< d(R + y)²/dτ of a ring with dampers [m² per unit τ]
-  };
-  [[nodiscard]] virtual Start start(const Touch& touch, const contact::Pose& at, double speed) const = 0;
+  /// A contact where the next interval starts, but for `start_gap` and what a further blade has.
+  [[nodiscard]] virtual BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const = 0;
+  /// Sets how a further blade goes on.
+  virtual void set_course(const Touch& touch, const contact::Pose& at, double speed,
+                          BladeStart& start) const = 0;
   /// Where the arc leads from there, for a blade that is bent: dτ, dp and dl, of any length.
   /// `acceleration`: of the shaft, seen from the ring, along (real) and across the blade [m per unit τ²].
   struct Tangent {
@@ -101,14 +101,12 @@ class ArcLaw {
   [[nodiscard]] virtual std::span<const blade::BendingTable::Knot> knots() const { return {}; }
   /// Δ/p² [m] of the leading blade where it is hardly bent.
   [[nodiscard]] virtual double deflection_per_square() const { return 0.0; }
-  /// A further blade, where another one takes the lead.
-  virtual FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) = 0;
 
-  [[nodiscard]] virtual bool solve(const Contact& contact, const Closeness& closeness,
+  [[nodiscard]] virtual bool solve(const Machine& machine, const Closeness& closeness,
                                    Interval& interval) const = 0;
 
   /// The contact of a blade that is bent so.
-  [[nodiscard]] virtual Touch touch(int blade, double slip, const Bending& bending) const = 0;
+  [[nodiscard]] virtual Touch touch(const TipStart& tip, const Bending& bending) const = 0;
   /// Its force, and c [-].
   [[nodiscard]] virtual contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                                 double speed) const = 0;
@@ -125,14 +123,21 @@ class ArcLaw {
   [[nodiscard]] virtual Rates rates(const Bending& /*bending*/, const Tangent& /*along*/) const { return {}; }
 
  protected:
-  /// What the force of a contact says of its start.
-  static Start starts(const contact::TipForce& force, double gap_measure) {
-    return {force,
-            {.start_gap_measure = gap_measure,
-             .start_slip_velocity = force.slip_velocity,
-             .start_force = force.normal,
-             .start_strain = force.root_strain,
-             .start_shortening = force.shortening}};
+  /// What a contact and its force say of its start.
+  static BladeStart starts(const Touch& touch, const contact::TipForce& force, double gap_measure) {
+    BladeStart start;
+    start.force = force;
+    start.number = touch.blade;
+    start.slip = touch.slip;
+    start.straight = touch.straight;
+    start.skims = touch.skims;
+    start.start_gap_measure = gap_measure;
+    start.start_slip_velocity = force.slip_velocity;
+    start.start_force = force.normal;
+    start.start_strain = force.root_strain;
+    start.start_shortening = force.shortening;
+    start.start_yielding = touch.yielding;
+    return start;
   }
 };
 

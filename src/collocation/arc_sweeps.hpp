@@ -35,16 +35,16 @@ class ArcSweeps {
     std::array<double, 2> start;
   };
 
-  ArcSweeps(const Contact& contact, const Closeness& closeness, Interval& interval)
-      : machine_(*contact.machine),
+  ArcSweeps(const Machine& machine, const Closeness& closeness, Interval& interval)
+      : machine_(machine),
         closeness_(closeness),
         interval_(interval),
-        nodes_(node_tables()),
+        nodes_(kNodeTables),
         chord_time_(Number(nodes_.node) * interval.chord.time),
         chord_argument_(Number(nodes_.node) * interval.chord.argument + interval.start_argument),
         deviation_(interval.deviation),
         seen_start_{interval.shaft.start[0] - interval.ring.start[0],
-                    interval.shaft.start[1] - interval.ring.start[1] + contact.machine->misalignment} {
+                    interval.shaft.start[1] - interval.ring.start[1] + machine.misalignment} {
     er_.start = interval.blade;
     shaft_.start(interval.shaft, closeness.warm, elapsed());
     if (ring_moves()) ring_.start(interval.ring, closeness.warm, elapsed());
@@ -90,23 +90,21 @@ class ArcSweeps {
     Number slip_velocity;  ///< v
     Number distance;       ///< from the ring's centre
     InBlade normal;
-    Pose at;
   };
   /// Of a blade in the direction er (MODEL 4.3, 4.7).
-  RigidTip rigid_tip_of(const TipStart& start, const Blade& blade, const Direction& er) const {
-    const Straight straight = straight_tip(start, blade, er);
+  RigidTip rigid_tip_of(const TipStart& start, const Direction& er) const {
+    const Blade& blade = *start.blade;
+    const Straight straight = straight_tip(start, er);
     const Number speed = angular_speed();
     const Pose at = pose_of(straight, blade.reach, er);
-    const InBlade rate = contact::tip_rate(at, speed);
     RigidTip tip;
     tip.distance = root(dot(straight.place, straight.place));
     tip.normal = straight.place * (Number(1.0) / tip.distance);
-    tip.at = at;
     tip.slip_velocity = contact::undeformed_slip_velocity(tip.normal, at, speed, blade.reach);
     tip.depth = straight.gap / (tip.distance + machine_.ring_radius);
     tip.yielding = tip.depth;
     if (blade.ring_damping > 0.0) {
-      const Number closing = contact::square_change(tip.normal, rate) * 0.5;
+      const Number closing = contact::square_change(tip.normal, contact::tip_rate(at, speed)) * 0.5;
       tip.yielding = tip.yielding + closing * (blade.ring_damping / blade.ring_stiffness);
     }
     return tip;
@@ -144,7 +142,7 @@ class ArcSweeps {
     double ratio_before = kSlowest;
     double step_before = kFirstChange;
     for (interval_.sweeps = 1; interval_.sweeps <= most; ++interval_.sweeps) {
-      const double change = light ? sweeps.template sweep<true>() : sweeps.template sweep<false>();
+      const double change = sweeps.sweep(light);
       if (!(change < kFirstChange)) return false;
       // The changes form a geometric series in the end, of which this is the rest. The first one may hold
       // little of what falls slowest.
@@ -182,11 +180,12 @@ class ArcSweeps {
     /// of R².
     Number gap;
   };
-  Straight straight_tip(const TipStart& start, const Blade& blade, const Direction& er) const {
+  Straight straight_tip(const TipStart& start, const Direction& er) const {
+    const double reach = start.blade->reach;
     Vector come = shaft_.displacement;
     if (ring_moves()) come = come - ring_.displacement;
-    come = come + er.change * blade.reach;
-    const Vector from{seen_start_[0] + blade.reach * er.start[0], seen_start_[1] + blade.reach * er.start[1]};
+    come = come + er.change * reach;
+    const Vector from{seen_start_[0] + reach * er.start[0], seen_start_[1] + reach * er.start[1]};
     const Vector place = come + from;
     return {in_blade(place, er), dot(come, place + from) + start.start_gap};
   }
@@ -360,8 +359,8 @@ class ArcSweeps {
 /// Solves an interval by sweeps of one kind. What they call is a few operations on registers each: in one
 /// function all of it takes a twelfth fewer instructions, and more of the compiler's time.
 template <class Sweeps, class... With>
-[[gnu::flatten, gnu::noinline]] bool solved_by(const Contact& contact, With&&... with) {
-  return Sweeps(contact, with...).solve();
+[[gnu::flatten, gnu::noinline]] bool solved_by(With&&... with) {
+  return Sweeps(with...).solve();
 }
 
 }  // namespace

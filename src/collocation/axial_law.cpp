@@ -48,37 +48,26 @@ std::optional<Touch> AxialLaw::found_anew(const Touch& touch, const contact::Pos
   return found;
 }
 
-Bending AxialLaw::lead(const Touch& touch, bool /*alone*/) {
+Bending AxialLaw::lead(const Touch& touch) {
   leader_ = touch.blade;
-  touching_.assign(1, touch);
   return {.argument = touch.straight ? kStraight : table(touch.blade).argument(touch.bending),
           .yielding = touch.yielding};
 }
 
-FurtherStart AxialLaw::further(const Touch& touch, const contact::Pose& at, double speed) {
-  touching_.push_back(touch);
-  const Start there = start(touch, at, speed);
-  FurtherStart further{.blade = touch.blade,
-                       .slip = touch.slip,
-                       .straight = touch.straight,
-                       .skims = touch.skims,
-                       .square = touch.straight
-                                     ? FurtherStart::Course{there.tip.start_gap_measure}
-                                     : square_of_bent(of(touch.blade), at, touch, speed, there.ring_opens),
-                       .tip = there.tip,
-                       .force = there.force};
-  if (touch.just_bent) further.square.rate = 0.0;  // as `DampedLaw::tangent`
-  return further;
+void AxialLaw::set_course(const Touch& touch, const contact::Pose& at, double speed,
+                          BladeStart& start) const {
+  start.square = touch.straight ? Course{start.start_gap_measure}
+                                : square_of_bent(of(touch.blade), at, touch, speed, start.ring_opens);
+  if (touch.just_bent) start.square.rate = 0.0;  // as `DampedLaw::tangent`
 }
 
-Touch AxialLaw::touch(int blade, double slip, const Bending& bending) const {
-  const Touch& began = *std::ranges::find(touching_, blade, &Touch::blade);
-  return {.blade = blade,
-          .slip = slip,
-          .bending = began.straight ? 0.0 : table(blade).bending(bending.argument),
+Touch AxialLaw::touch(const TipStart& tip, const Bending& bending) const {
+  return {.blade = tip.number,
+          .slip = tip.slip,
+          .bending = tip.straight ? 0.0 : table(tip.number).bending(bending.argument),
           .yielding = bending.yielding,
-          .straight = began.straight,
-          .skims = began.skims,
+          .straight = tip.straight,
+          .skims = tip.skims,
           .share = bending.share};
 }
 
@@ -97,15 +86,14 @@ double AxialLaw::gap_measure(const Touch& touch, const contact::Pose& at) const 
                                   : law.gap_per_deflection(at, touch.slip, touch.bending);
 }
 
-ArcLaw::Start AxialLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
-  Start there = starts(force(touch, at, speed), gap_measure(touch, at));
-  there.tip.start_yielding = touch.yielding;
-  if (touch.skims) there.tip.start_cone_left = 1.0 + kShareBeyond - touch.share;
+BladeStart AxialLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
+  BladeStart there = starts(touch, force(touch, at, speed), gap_measure(touch, at));
+  if (touch.skims) there.start_cone_left = 1.0 + kShareBeyond - touch.share;
   if (!touch.straight) return there;
   // Of a column that has just straightened no load is left, to rounding.
   constexpr double kLeast = 1e-12;
   const double buckling = numbers(touch.blade).buckling_load;
-  there.tip.start_cone_left = std::max(buckling - there.force.normal, kLeast * buckling);
+  there.start_cone_left = std::max(buckling - there.force.normal, kLeast * buckling);
   return there;
 }
 

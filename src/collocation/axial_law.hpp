@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "collocation/arc_law.hpp"
 #include "contact/elastica_contact.hpp"
@@ -41,8 +40,8 @@ class AxialLaw : public ArcLaw {
                                           double speed) const override;
   [[nodiscard]] std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
                                                 double speed) const override;
-  Bending lead(const Touch& touch, bool alone) override;
-  [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override;
+  Bending lead(const Touch& touch) override;
+  [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override;
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override;
   [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override {
@@ -51,12 +50,13 @@ class AxialLaw : public ArcLaw {
   [[nodiscard]] double deflection_per_square() const override {
     return collocation::deflection_per_square(of(leader_));
   }
-  FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override;
-  [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
+  void set_course(const Touch& touch, const contact::Pose& at, double speed,
+                  BladeStart& start) const override;
+  [[nodiscard]] bool solve(const Machine& machine, const Closeness& closeness,
                            Interval& interval) const override {
-    return solver_.solve(contact, closeness, interval);
+    return solver_.solve(machine, closeness, interval);
   }
-  [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override;
+  [[nodiscard]] Touch touch(const TipStart& tip, const Bending& bending) const override;
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override;
   [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& /*at*/,
@@ -69,8 +69,6 @@ class AxialLaw : public ArcLaw {
 
  protected:
   static constexpr double kStraight = 1e-6;  ///< p: not 0, from where a blade would begin to bend
-  /// The blades in contact as the interval's arc began: the leading one, and the others in their order.
-  [[nodiscard]] const std::vector<Touch>& touching() const { return touching_; }
   [[nodiscard]] const contact::ElasticaContact& of(int blade) const { return laws_->of(blade); }
   [[nodiscard]] const blade::BendingTable& table(int blade) const { return of(blade).curve().over_asinh(); }
 
@@ -80,7 +78,6 @@ class AxialLaw : public ArcLaw {
   const Laws* laws_;
   IntervalSolver solver_;
   double max_shortening_;
-  std::vector<Touch> touching_;
   int leader_ = 0;
 };
 

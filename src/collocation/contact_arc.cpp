@@ -31,11 +31,11 @@ ContactArc::ContactArc(const rotor::Machine& machine, ArcLaw& law, double tolera
       solver_(interval_solver()),
       predictor_(machine, law),
       offsets_(static_cast<std::size_t>(blades_->count())),
-      contact_{&machine_.numbers(), nullptr, 1.0, law.leans()},
       allowed_(kBetweenNodes * rotor_->length_scale *
                std::pow(tolerance / rotor_->length_scale, Predictor::kOrder / kOrderAtEnd)),
       ring_keeps_load_(!law.ends_at_ring() && !law.is_rigid()),
       friction_varies_(!law.has_slip_state()),
+      leans_(law.leans()),
       earlier_(machine.ring_body() != nullptr, rotor_->length_scale) {
   for (int k = 0; k < blades_->count(); ++k) {
     from_first_.push_back(blades_->direction(k, {1.0, 0.0}));
@@ -57,8 +57,8 @@ void ContactArc::start_next(Interval& next) const {
   std::copy_n(end_.bodies.begin() + 4, 4, next.ring.start.begin());
   next.blade = {er_.cosine, er_.sine};
   machine_.start(next);
-  static_cast<TipStart&>(next) = at_end_;
-  next.further.resize(further_.size());
+  next.tips.resize(tips_.size());
+  for (std::size_t k = 0; k < tips_.size(); ++k) static_cast<TipStart&>(next.tips[k]) = tips_[k];
 }
 
 bool ContactArc::solve(Interval& interval, bool warm, double closest) {
@@ -70,11 +70,10 @@ bool ContactArc::solve(Interval& interval, bool warm, double closest) {
   // The load of a tip at rest follows its place so steeply that the next interval would begin with a jump.
   constexpr double kStepAtRest = 1e-5;
   constexpr double kStepToGuard = 1e-6;
-  const auto rests = [](const auto& tip) { return tip.slip == 0.0; };
   double step = std::numeric_limits<double>::infinity();
-  if (contact_.leans && (rests(contact_) || std::ranges::any_of(further_, rests))) step = kStepAtRest;
+  if (leans_ && std::ranges::count(tips_, 0.0, &TipStart::slip) > 0) step = kStepAtRest;
   if (std::isfinite(closest)) step = kStepToGuard;
-  const bool solved = law_->solve(contact_, {velocity, warm, step}, interval);
+  const bool solved = law_->solve(machine(), {velocity, warm, step}, interval);
   sweeps_ += static_cast<std::uint64_t>(interval.sweeps);
   return solved;
 }
@@ -103,7 +102,7 @@ double ContactArc::error_of(const Interval& interval) const {
     left_out = std::max(left_out, last * last * fall / std::max(interval.coefficients[0], last));
   const double at_end = left_out * kLargestIntegral;
   double error = std::max(between / allowed_, at_end / (kAtEnd * tolerance_));
-  if (!interval.further.empty()) error *= kCareWithSeveral;
+  if (interval.tips.size() > 1) error *= kCareWithSeveral;
   const double length = interval.elapsed.at_end() / machine_.longest_interval();
   return length > 1.0 ? std::max(error, std::pow(length, Predictor::kOrder)) : error;
 }
@@ -111,22 +110,18 @@ double ContactArc::error_of(const Interval& interval) const {
 /// The stretch of an interval up to θ, solved for itself.
 bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter, double closest) {
   static_cast<IntervalStart&>(shorter) = static_cast<const IntervalStart&>(whole);
-  static_cast<TipStart&>(shorter) = static_cast<const TipStart&>(whole);
   shorter.shaft.start = whole.shaft.start;
   shorter.ring.start = whole.ring.start;
-  shorter.further.resize(whole.further.size());
-  for (std::size_t k = 0; k < whole.further.size(); ++k) {
-    static_cast<TipStart&>(shorter.further[k]) = static_cast<const TipStart&>(whole.further[k]);
-    static_cast<FurtherBladeStart&>(shorter.further[k]) =
-        static_cast<const FurtherBladeStart&>(whole.further[k]);
-  }
+  shorter.tips.resize(whole.tips.size());
+  for (std::size_t k = 0; k < whole.tips.size(); ++k)
+    static_cast<TipStart&>(shorter.tips[k]) = static_cast<const TipStart&>(whole.tips[k]);
   shorter.normal = whole.normal;
   return solve_up_to(whole, fraction, shorter, closest);
 }
 /// The same where the stretch already starts as the interval does, or is the interval itself.
 bool ContactArc::solve_up_to(const Interval& whole, double fraction, Interval& stretch, double closest) {
   stretch.chord = {fraction * whole.chord.time, fraction * whole.chord.argument};
-  solver_.read_stretch(contact_, whole, fraction, stretch);
+  solver_.read_stretch(machine(), whole, fraction, stretch);
   return solve(stretch, true, closest);
 }
 
@@ -144,9 +139,9 @@ void ContactArc::move(Point& point, const Interval& interval, double late) {
   const auto go_on = [&](const AtNodes& nodes, double& value) {
     value += late * course_at_end(interval, nodes).rate;
   };
-  go_on(interval.yielding, point.bending.yielding);
-  for (std::size_t k = 0; k < interval.further.size(); ++k) {
-    const FurtherBlade& further = interval.further[k];
+  go_on(interval.leader().yielding, point.bending.yielding);
+  for (std::size_t k = 0; k < point.further.size(); ++k) {
+    const TipInTime& further = interval.further()[k];
     go_on(further.square, point.further[k].argument);
     go_on(further.lean, point.further[k].lean);
     go_on(further.yielding, point.further[k].yielding);
@@ -157,10 +152,9 @@ void ContactArc::guess_further(Interval& next) const {
   const AtNodes elapsed = guessed_times(next);
   // The next to come to a fold leads, long before. Of two that are close to theirs either may.
   constexpr std::array<double, kMostLeadChanges + 1> kShort{0.2, 1e-3, 0.0};
-  for (std::size_t k = 0; k < further_.size(); ++k) {
-    next.further[k].blade = &numbers(further_[k].blade);
-    next.further[k].short_of_fold = kShort[static_cast<std::size_t>(lead_changes_)];
-    guess(further_[k], elapsed, next.further[k]);
+  for (std::size_t k = 1; k < tips_.size(); ++k) {
+    next.tips[k].short_of_fold = kShort[static_cast<std::size_t>(lead_changes_)];
+    guess(tips_[k], elapsed, next.tips[k]);
   }
 }
 
@@ -177,11 +171,11 @@ bool ContactArc::solve_next(bool learns) {
     const bool follows = found_.alike != nullptr && number_ < found_.alike->count;
     if (follows) {
       predictor_.follow(found_.alike->intervals[number_].length);
-      found_.alike->intervals[number_].guess(contact_, next);
+      found_.alike->intervals[number_].guess(machine(), next);
     } else {
       predictor_.guess(next);
     }
-    if (!further_.empty()) guess_further(next);
+    if (tips_.size() > 1) guess_further(next);
     const bool solved = solve(next, follows);
     const double error = solved ? error_of(next) : Predictor::kUnknownError;
     const bool falls = !(solved && !follows && error > kFalls * error_before);
@@ -220,7 +214,7 @@ ContactArc::Outcome ContactArc::make() {
     Ending ending;
     const bool solved = solve_next(learns);
     if (solved && found_.kept != nullptr && number_ < EarlierContact::kMostIntervals) {
-      found_.kept->intervals[number_].take(contact_, trial(), predictor_.length_of_trial());
+      found_.kept->intervals[number_].take(machine(), trial(), predictor_.length_of_trial());
       found_.kept->count = std::max(found_.kept->count, number_ + 1);
     }
     if (solved && begins_) set_out_as_solved();
@@ -249,16 +243,15 @@ ContactArc::Outcome ContactArc::make() {
       if (is_anew) continue;
     }
     if (is_shorter_than(kAllButImpact)) return rebound();
-    if (lifts_off_at_once()) return end_at_once(Guard::unbent, blade_);
+    if (lifts_off_at_once()) return end_at_once(Guard::unbent, leader());
     // Several are at their folds; the one that leads has been closest.
-    if (lead_changes_ == kMostLeadChanges && is_held_beyond_ring()) return end_at_once(Guard::fold, blade_);
+    if (lead_changes_ == kMostLeadChanges && is_held_beyond_ring()) return end_at_once(Guard::fold, leader());
     // A tip that rests, and cannot be followed in the shortest of times, is about to lose its place. Whether
     // it does is seen where it leads; so is the fold of a tip whose friction turns round steeply.
-    if (contact_.leans && contact_.slip == 0.0) return end_at_once(Guard::loosening, blade_);
-    if (contact_.leans && !further_.empty() && lead_changes_ < kMostLeadChanges) {
-      const auto resting = std::ranges::find(further_, 0.0, &FurtherStart::slip);
-      const auto next = resting == further_.end() ? further_.begin() : resting;
-      begin_anew(1 + static_cast<std::size_t>(next - further_.begin()));
+    if (leans_ && leading().slip == 0.0) return end_at_once(Guard::loosening, leader());
+    if (leans_ && tips_.size() > 1 && lead_changes_ < kMostLeadChanges) {
+      const auto resting = std::ranges::find(tips_, 0.0, &TipStart::slip);
+      begin_anew(resting == tips_.end() ? 1 : static_cast<std::size_t>(resting - tips_.begin()));
       ++lead_changes_;
       continue;
     }
@@ -283,23 +276,23 @@ ContactArc::Outcome ContactArc::make() {
 /// Whether a contact that begins at the ring lasts no longer than that, as first estimated.
 bool ContactArc::is_shorter_than(double duration) const {
   if (!begins_ || machine().ring.is_massless() || predictor_.duration() > duration) return false;
-  const double rounding = contact::gap_rounding(law_->geometry(blade_), pose(blade_, end_));
-  return std::abs(at_end_.start_gap) <= rounding;
+  const double rounding = contact::gap_rounding(law_->geometry(leader()), pose(leader(), end_));
+  return std::abs(leading().start_gap) <= rounding;
 }
 
 /// A contact that is shorter than times are rounded is an impact: nothing changes meanwhile but that its
 /// force −F (n + c t) turns the tip's velocity along n round.
 ContactArc::Outcome ContactArc::rebound() {
-  const Touch touch = touch_of(blade_, end_);
-  const contact::Pose there = pose(blade_, end_);
-  const contact::BladeDirection er = direction(blade_, end_.time);
+  const Touch touch = touch_of(leader(), end_);
+  const contact::Pose there = pose(leader(), end_);
+  const contact::BladeDirection er = direction(leader(), end_.time);
   const std::complex<double> place =
-      std::complex<double>(there.radial + numbers(blade_).reach, there.tangential) *
+      std::complex<double>(there.radial + numbers(leader()).reach, there.tangential) *
       std::complex<double>(er.cosine, er.sine);
   const double distance = std::abs(place);
   // It leaves the ring by no less than velocities are rounded, or it would stay there for ever.
   const double rounding = 1e-3 * slip_rounding();
-  const double outwards = std::max(rounding, 0.5 * gap_rate_at_end(blade_, there) / distance);
+  const double outwards = std::max(rounding, 0.5 * gap_rate_at_end(leader(), there) / distance);
   const double coefficient = law_->friction_coefficient(touch, there, force(touch, end_));
   const std::complex<double> change =
       -2.0 * outwards * place / distance * std::complex<double>(1.0, coefficient);
@@ -308,14 +301,14 @@ ContactArc::Outcome ContactArc::rebound() {
   end_.bodies[3] += shaft_share * change.imag();
   end_.bodies[6] -= (1.0 - shaft_share) * change.real();
   end_.bodies[7] -= (1.0 - shaft_share) * change.imag();
-  return end_at_once(Guard::under_load, blade_);
+  return end_at_once(Guard::under_load, leader());
 }
 
 /// Whether the motion up to a guard that could not be located within the trial is no more than its error.
 bool ContactArc::is_met_at_once(const Ending& ending) const {
   switch (guard_of_tip(ending.guard)) {
     case Guard::slip_reversal:
-      if (!contact_.leans) return false;  // it would reverse again at once
+      if (!leans_) return false;  // it would reverse again at once
       break;
     case Guard::fold:  // it has been passed by what sweeps leave
     case Guard::loosening:
@@ -325,7 +318,7 @@ bool ContactArc::is_met_at_once(const Ending& ending) const {
     case Guard::unbent:
     case Guard::under_load:
       if (machine().ring.is_massless()) return false;  // its velocity jumps
-      if (gap_rate_at_end(blade_, pose(blade_, end_)) > 0.0) return false;
+      if (gap_rate_at_end(leader(), pose(leader(), end_)) > 0.0) return false;
       break;
     default:  // it would be met again at once
       return false;
@@ -346,11 +339,11 @@ bool ContactArc::moves_little(double late) const {
 /// Whether a blade moves off the ring that is all but unbent and has left it before anything has moved, or
 /// that bends where the tolerance has already let its tip leave.
 bool ContactArc::lifts_off_at_once() const {
-  if (law_->is_rigid() || is_straight(blade_) || machine().ring.is_massless()) return false;
-  if (law_->releases_at_fold(blade_)) return false;
-  if (at_end_.start_gap > 0.0 && !(end_.bending.argument < kNextToUnbent)) return false;
-  const double rate = gap_rate_at_end(blade_, pose(blade_, end_));
-  return rate < 0.0 && moves_little(-at_end_.start_gap / rate);
+  if (law_->is_rigid() || is_straight(leader()) || machine().ring.is_massless()) return false;
+  if (law_->releases_at_fold(leader())) return false;
+  if (leading().start_gap > 0.0 && !(end_.bending.argument < kNextToUnbent)) return false;
+  const double rate = gap_rate_at_end(leader(), pose(leader(), end_));
+  return rate < 0.0 && moves_little(-leading().start_gap / rate);
 }
 
 /// The next event is where the next interval would begin.
@@ -379,8 +372,7 @@ void ContactArc::goes_on(const Ending& ending) {
   ++number_;
   ++interval_count_;
   end_at(made(), ending);
-  at_end_ = start_after(made());
-  for (std::size_t k = 0; k < further_.size(); ++k) go_on(made(), made().further[k], further_[k]);
+  for (std::size_t k = 0; k < tips_.size(); ++k) go_on(made(), made().tips[k], k > 0, tips_[k]);
   if (ending_.guard == Guard::none) predictor_.goes_on(made());
   begins_ = false;
   lead_changes_ = 0;
@@ -388,12 +380,6 @@ void ContactArc::goes_on(const Ending& ending) {
 
 ContactArc::Point ContactArc::at_node(const Interval& interval, std::size_t node) {
   return read(interval, [node](double /*start*/, const AtNodes& nodes) { return nodes[node]; });
-}
-
-std::size_t ContactArc::number_of(int blade) const {
-  std::size_t number = 0;
-  while (further_[number].blade != blade) ++number;
-  return number;
 }
 
 void ContactArc::shift_time(double period) {

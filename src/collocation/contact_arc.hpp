@@ -6,7 +6,7 @@
 /// fold where time turns round (MODEL 4.2). An interval is a stretch of this arc (`interval.hpp`). Its first
 /// guess is that of an earlier contact which began alike, or a circular arc (`predictor.hpp`).
 ///
-/// The others are bent as the shaft's motion has it (`further_blades.hpp`). The one that lifts off next has
+/// The others are bent as the shaft's motion has it. The one that lifts off next has
 /// to lead: near its lift-off its bending is no smooth function of time.
 ///
 /// Where no interval can be made the next event is at hand: a contact that is shorter than times are rounded
@@ -25,8 +25,8 @@
 #include <vector>
 
 #include "collocation/arc_law.hpp"
+#include "collocation/blades_in_contact.hpp"
 #include "collocation/earlier_contacts.hpp"
-#include "collocation/further_blades.hpp"
 #include "collocation/interval.hpp"
 #include "collocation/interval_samples.hpp"
 #include "collocation/machine_in_time.hpp"
@@ -115,7 +115,7 @@ class ContactArc {
   [[nodiscard]] contact::BladeDirection direction_at_node(int blade, std::size_t node) const;
   /// Of a quadrature over the interval, of order 15 [in τ].
   [[nodiscard]] double weight_of_node(std::size_t node) const {
-    return node_tables().integral[node].at_end() * made().time_slope[node];
+    return kNodeTables.integral[node].at_end() * made().time_slope[node];
   }
   /// The last node is where the interval ends, but for what has been left where a guard was located.
   [[nodiscard]] bool ends_at_last_node() const;
@@ -148,7 +148,7 @@ class ContactArc {
   void shift_time(double period);
 
   /// The blade that leads.
-  [[nodiscard]] int leader() const { return blade_; }
+  [[nodiscard]] int leader() const { return tips_.front().number; }
 
   // What it cost.
   [[nodiscard]] std::uint64_t intervals() const { return interval_count_; }
@@ -178,8 +178,8 @@ class ContactArc {
     return offsets_[static_cast<std::size_t>(blade)];
   }
   static void move(Point& point, const Interval& interval, double late);
-  void predict(const Touch& touch);
-  void set_out(int blade, double slip, const std::complex<double>& acceleration, double& velocity) const;
+  void predict(const Touch& touch, const contact::Pose& there);
+  void set_out(TipStart& tip, const std::complex<double>& acceleration) const;
   void set_out_as_solved();
   [[nodiscard]] double slip_acceleration(int blade, const Point& point,
                                          const std::complex<double>& acceleration) const;
@@ -187,7 +187,13 @@ class ContactArc {
   void hold(std::span<Touch> touching, const Point& point) const;
   void skim(std::span<Touch> touching, const Point& point) const;
   [[nodiscard]] int skimming_blade() const;
-  [[nodiscard]] std::size_t number_of(int blade) const;
+  /// Where a blade in contact stands in `tips_`.
+  [[nodiscard]] std::size_t number_of(int blade) const {
+    std::size_t number = 0;
+    while (tips_[number].number != blade) ++number;
+    return number;
+  }
+  [[nodiscard]] const BladeStart& leading() const { return tips_.front(); }
   [[nodiscard]] double gap_at(const Touch& touch, const Point& point) const;
   [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
   [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }
@@ -205,10 +211,9 @@ class ContactArc {
   void start_next(Interval& next) const;
   /// `closest`: what sweeps may leave, if less than usual, where a guard is located [m per unit τ].
   bool solve(Interval& interval, bool warm, double closest = std::numeric_limits<double>::infinity());
-  [[nodiscard]] Bounds bounds_of(const Interval& interval) const;
   [[nodiscard]] double error_of(const Interval& interval) const;
-  [[nodiscard]] bool stays_valid(const Bounds& bounds, const Ending& ending) const;
-  [[nodiscard]] Ending guard_of_contacts(const Interval& interval, const Bounds& bounds) const;
+  [[nodiscard]] bool stays_valid(const Ending& ending) const;
+  [[nodiscard]] Ending guard_of_contacts(const Interval& interval) const;
   /// A quantity within an interval.
   struct Course {
     double start;
@@ -216,8 +221,7 @@ class ContactArc {
   };
   [[nodiscard]] Course validity_left(const Interval& interval, Guard guard, int blade) const;
   [[nodiscard]] const TipInTime& tip_of(const Interval& interval, int blade) const {
-    if (blade == blade_) return interval;
-    return interval.further[number_of(blade)];
+    return interval.tips[number_of(blade)];
   }
   [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before);
   [[nodiscard]] int touches_at_once() const;
@@ -255,11 +259,11 @@ class ContactArc {
   /// A blade in contact does not bend: it is rigid, or stands straight.
   [[nodiscard]] bool is_straight(int blade) const {
     if (law_->is_rigid()) return true;
-    return blade == blade_ ? contact_.straight : further_[number_of(blade)].straight;
+    return tips_[number_of(blade)].straight;
   }
   /// The contact of the leading blade, bent, goes on beyond the ring up to its fold.
   [[nodiscard]] bool is_held_beyond_ring() const {
-    return law_->releases_at_fold(blade_) && !is_straight(blade_);
+    return law_->releases_at_fold(leader()) && !is_straight(leader());
   }
   /// Slip to this side may reverse.
   [[nodiscard]] bool reverses(double slip) const { return law_->has_slip_state() && slip != 0.0; }
@@ -274,14 +278,14 @@ class ContactArc {
                      value(tip.start_gap_measure, tip.gap_measure) - kShareBeyond};
     };
     Point point{.time = in.start_time + value(0.0, in.elapsed),
-                .bending = bending(value(in.start_argument, in.argument), in)};
+                .bending = bending(value(in.start_argument, in.argument), in.leader())};
     const auto place = [&](const Body& body, Eigen::Index first) {
       point.bodies.segment<4>(first) << value(body.start[0], body.x), value(body.start[1], body.y),
           value(body.start[2], body.vx), value(body.start[3], body.vy);
     };
     place(in.shaft, 0);
     place(in.ring, 4);
-    for (const FurtherBlade& further : in.further)
+    for (const TipInTime& further : in.further())
       point.further.push_back(bending(value(further.start_square, further.square), further));
     return point;
   }
@@ -303,13 +307,12 @@ class ContactArc {
       offsets_;  ///< cosine and sine of the angles from the leading blade to others
   std::vector<contact::BladeDirection> from_first_;  ///< of the blades from the place of blade 0
   std::vector<int> others_;                          ///< blades that do not touch
-  std::vector<FurtherStart> further_;                ///< where the next interval starts
-  Contact contact_;
+  std::vector<BladeStart> tips_;                     ///< where the next interval starts; the first leads
   double allowed_;        ///< error of a velocity between the nodes [m per unit τ]
   bool ring_keeps_load_;  ///< it yields to elastic blades in its own time
   bool friction_varies_;  ///< with the slip velocity
+  bool leans_;            ///< `ArcLaw::leans`
 
-  int blade_ = 0;
   bool begins_ = false;  ///< the next interval is the first of the contact
   Ending ending_;
   bool jumps_ = false;       ///< the error of trials does not fall with their length
@@ -322,8 +325,8 @@ class ContactArc {
   EarlierContacts earlier_;
   EarlierContacts::Found found_;  ///< the earlier contact is followed, unless it is null
   std::size_t number_ = 0;        ///< of the next interval in the contact
-  TipStart at_end_{};             ///< of the leading blade there
   double rounding_at_end_ = 0.0;  ///< |v| or other where an ending is
+  Bounds bounds_{};               ///< of the interval that is being judged
   double displacement_bound_ = 0.0;
   double argument_bound_ = 0.0;  ///< of the leading blade's p in the interval that was made
   double gap_bound_of_others_ = 0.0;

@@ -37,11 +37,6 @@ void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span
 
 void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching,
                       std::size_t leader) {
-  blade_ = touching[leader].blade;
-  contact_.blade = &numbers(blade_);
-  contact_.slip = touching[leader].slip;
-  contact_.straight = touching[leader].straight;
-  contact_.skims = touching[leader].skims;
   begins_ = true;
   ending_ = {};
   start_ = {.time = time, .bodies = bodies, .bending = {}};
@@ -51,41 +46,52 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
     skim(held, start_);
     touching = held;
   }
-  start_.bending = law_->lead(touching[leader], touching.size() == 1);
+  const int leads = touching[leader].blade;
+  law_->take(touching[leader], touching.size() == 1);
+  start_.bending = law_->lead(touching[leader]);
   if (law_->is_rigid() && std::ranges::count(touching, 0.0, &Touch::slip) > 0) {
     held.assign(touching.begin(), touching.end());
     hold(held, start_);
     touching = held;
   }
-  er_ = direction(blade_, time);
-  const contact::BladeDirection& from = from_first_[static_cast<std::size_t>(blade_)];
+  er_ = direction(leads, time);
+  const contact::BladeDirection& from = from_first_[static_cast<std::size_t>(leads)];
   std::ranges::transform(from_first_, offsets_.begin(),
                          [&from](const auto& to) { return offset_between(from, to); });
-  offsets_[static_cast<std::size_t>(blade_)] = {1.0, 0.0};
-  further_.clear();
+  offsets_[static_cast<std::size_t>(leads)] = {1.0, 0.0};
+  const double speed = blades_->angular_speed(time);
+  tips_.clear();
+  const auto start = [&](const Touch& touch, const contact::Pose& at) -> BladeStart& {
+    BladeStart& tip = tips_.emplace_back(law_->start(touch, at, speed));
+    tip.blade = &numbers(touch.blade);
+    tip.offset = offset_of(touch.blade);
+    tip.start_gap = gap_at(touch, start_);
+    return tip;
+  };
+  const contact::Pose there = pose(leads, start_);
+  start(touching[leader], there);
   for (const Touch& touch : touching) {
-    if (touch.blade == blade_) continue;
-    FurtherStart& start =
-        further_.emplace_back(law_->further(touch, pose(touch.blade, start_), blades_->angular_speed(time)));
-    start.offset = offset_of(touch.blade);
-    start.tip.start_gap = gap_at(touch, start_);
-    start_.further.push_back({start.square.value, start.lean.value, start.tip.start_yielding, touch.share});
+    if (touch.blade == leads) continue;
+    law_->take(touch, false);
+    const contact::Pose at = pose(touch.blade, start_);
+    BladeStart& tip = start(touch, at);
+    law_->set_course(touch, at, speed, tip);
+    tip.start_square = tip.square.value;
+    start_.further.push_back({tip.start_square, tip.lean.value, tip.start_yielding, touch.share});
   }
   end_ = start_;
   others_.clear();
   for (int blade = 0; blade < blades_->count(); ++blade) {
     if (std::ranges::find(touching, blade, &Touch::blade) == touching.end()) others_.push_back(blade);
   }
-  predict(touching[leader]);
+  predict(touching[leader], there);
   found_ = {};
   number_ = 0;
-  if (further_.empty() && !contact_.skims) look_for_earlier();
+  if (tips_.size() == 1 && !leading().skims) look_for_earlier();
 }
 
 double ContactArc::shortening_at_start() const {
-  double largest = at_end_.start_shortening;
-  for (const FurtherStart& further : further_) largest = std::max(largest, further.tip.start_shortening);
-  return largest;
+  return std::ranges::max(tips_, {}, &TipStart::start_shortening).start_shortening;
 }
 bool ContactArc::starts_within_ring() const {
   const rotor::State seen = rotor::from_ring(start_.bodies);
@@ -107,47 +113,38 @@ void ContactArc::look_for_earlier() {
                           .angular_speed = blades_->angular_speed(end_.time),
                           .forcing = seen(forcing.real(), forcing.imag()),
                           .argument = end_.bending.argument,
-                          .slip = contact_.slip,
-                          .straight = contact_.straight});
+                          .slip = leading().slip,
+                          .straight = leading().straight});
 }
 
 /// What is known where the leading blade takes the lead.
-void ContactArc::predict(const Touch& touch) {
+void ContactArc::predict(const Touch& touch, const contact::Pose& there) {
   const double angular_speed = blades_->angular_speed(end_.time);
-  const contact::Pose there = pose(blade_, end_);
-  const ArcLaw::Start starts = law_->start(touch, there, angular_speed);
-  at_end_ = starts.tip;
-  at_end_.start_gap = gap_at(touch, start_);
-  std::complex<double> force = contact::on_rotor(starts.force, er_);
-  for (const FurtherStart& further : further_) {
-    const contact::BladeDirection er{er_.cosine * further.offset[0] - er_.sine * further.offset[1],
-                                     er_.sine * further.offset[0] + er_.cosine * further.offset[1]};
-    force += contact::on_rotor(further.force, er);
+  std::complex<double> force;
+  for (const BladeStart& tip : tips_) {
+    const auto& [cosine, sine] = tip.offset;
+    force += contact::on_rotor(
+        tip.force, {er_.cosine * cosine - er_.sine * sine, er_.sine * cosine + er_.cosine * sine});
   }
   const rotor::Acceleration acceleration =
       whole_->acceleration(rotor::full_state(end_.bodies, end_.time, 0.0), force);
   const std::complex<double> closing = acceleration.shaft - acceleration.ring;
-  set_out(blade_, contact_.slip, closing, at_end_.start_slip_velocity);
-  for (FurtherStart& further : further_)
-    set_out(further.blade, further.slip, closing, further.tip.start_slip_velocity);
+  for (BladeStart& tip : tips_) set_out(tip, closing);
   predictor_.begin({.touch = touch,
-                    .blade = contact_.blade,
+                    .blade = leading(),
                     .ring_radius = machine().ring_radius,
                     .angular_speed = angular_speed,
                     .bodies = end_.bodies,
                     .pose = there,
                     .direction = er_,
                     .bending = end_.bending,
-                    .gap_measure = at_end_.start_gap_measure,
-                    .ring_opens = starts.ring_opens,
                     .acceleration = acceleration});
 }
 
 /// The leading blade, then the others.
 std::vector<Touch> ContactArc::touching_at(const Point& point) const {
-  std::vector<Touch> touching{law_->touch(blade_, contact_.slip, point.bending)};
-  for (const FurtherStart& further : further_)
-    touching.push_back(law_->touch(further.blade, further.slip, bending_of(further.blade, point)));
+  std::vector<Touch> touching;
+  for (const BladeStart& tip : tips_) touching.push_back(law_->touch(tip, bending_of(tip.number, point)));
   return touching;
 }
 
@@ -158,8 +155,8 @@ std::vector<Touch> ContactArc::touching_at(const Point& point) const {
 /// Gaps stay those by how far the tips have come: those of places would lose digits, or be nothing but
 /// rounding.
 bool ContactArc::begin_anew(std::size_t leader) {
-  std::vector<double> gaps{at_end_.start_gap};
-  for (const FurtherStart& further : further_) gaps.push_back(further.tip.start_gap);
+  std::vector<double> gaps;
+  for (const BladeStart& tip : tips_) gaps.push_back(tip.start_gap);
   std::vector<Touch> touching = touching_at(end_);
   Touch& leads = touching[leader];
   contact::Pose there = pose(leads.blade, end_);
@@ -169,9 +166,9 @@ bool ContactArc::begin_anew(std::size_t leader) {
     found = law_->found_anew(leads, there, blades_->angular_speed(end_.time));
   leads = found.value_or(leads);
   lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, leader);
-  at_end_.start_gap = gaps[leader];
-  gaps.erase(gaps.begin() + static_cast<std::ptrdiff_t>(leader));
-  for (std::size_t k = 0; k < further_.size(); ++k) further_[k].tip.start_gap = gaps[k];
+  std::rotate(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(leader),
+              gaps.begin() + static_cast<std::ptrdiff_t>(leader) + 1);
+  for (std::size_t k = 0; k < tips_.size(); ++k) tips_[k].start_gap = gaps[k];
   predictor_.begin_interval();
   return found.has_value();
 }

@@ -22,7 +22,8 @@ double slope_before(const AtPlaces& values, double fraction) {
 }  // namespace
 
 /// The first guard of the blades in contact. One that the bounds exclude is not looked for.
-ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const Bounds& bounds) const {
+ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const {
+  const TipInTime& leads = interval.leader();
   Ending first;
   std::size_t place_of_first = kPlaces;
   // A quantity that keeps its sign while the contact lasts, at the first `count` nodes.
@@ -40,49 +41,45 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval, const
     }
   };
   const bool held_beyond_ring = is_held_beyond_ring();
-  if (!held_beyond_ring && !(bounds.gap_measure > 0.0))
-    look(Guard::under_load, blade_, interval.start_gap_measure, interval.gap_measure, 1.0);
+  if (!held_beyond_ring && !(bounds_.gap_measure > 0.0))
+    look(Guard::under_load, leads.number, leads.start_gap_measure, leads.gap_measure, 1.0);
   // Over p itself the last node is the unbent blade.
   const std::size_t count = interval.chord.time == 0.0 ? kNodes - 1 : kNodes;
-  look(Guard::unbent, blade_, interval.start_argument, interval.argument, 1.0, count);
+  look(Guard::unbent, leads.number, interval.start_argument, interval.argument, 1.0, count);
   // Without other branches time stands still at the unbent blade, too, to rounding. On a ring with dampers it
   // all but does where a blade has just bent.
   const bool ends_only_branch =
       seeks_fold_ && law_->ends_at_ring() && !law_->is_rigid() && !is_next_to_unbent(interval);
-  const bool may_fold =
-      held_beyond_ring || (!is_straight(blade_) && (law_->has_branches(blade_) || ends_only_branch));
+  const bool may_fold = held_beyond_ring || (!is_straight(leads.number) &&
+                                             (law_->has_branches(leads.number) || ends_only_branch));
   if (may_fold)
-    look(Guard::fold, blade_, sum_of_products(node_tables().value_at_start, interval.time_slope),
+    look(Guard::fold, leads.number, sum_of_products(kNodeTables.value_at_start, interval.time_slope),
          interval.time_slope, 1.0, count);
-  if (contact_.leans) look(Guard::chart_end, blade_, interval.start_chart_left, interval.chart_left, 1.0);
+  if (leans_) look(Guard::chart_end, leads.number, leads.start_chart_left, leads.chart_left, 1.0);
   // `least`: bound of |v| in the interval.
-  const auto look_at_slip = [&](int blade, double slip, bool may_be_pressed_in, double least,
-                                const TipInTime& tip) {
-    if (may_be_pressed_in) look(Guard::pressed_in, blade, tip.start_cone_left, tip.cone_left, 1.0);
-    if (slip == 0.0) look(Guard::loosening, blade, tip.start_cone_left, tip.cone_left, 1.0);
-    if (!reverses(slip) || least > 0.0) return;
+  const auto look_at_slip = [&](const TipInTime& tip, double least) {
+    if (tip.straight || tip.skims)
+      look(Guard::pressed_in, tip.number, tip.start_cone_left, tip.cone_left, 1.0);
+    if (tip.slip == 0.0) look(Guard::loosening, tip.number, tip.start_cone_left, tip.cone_left, 1.0);
+    if (!reverses(tip.slip) || least > 0.0) return;
     const double sign = std::copysign(1.0, tip.start_slip_velocity);
     AtNodes velocity = tip.slip_velocity;
     if (slips_from_zero(tip.start_slip_velocity)) {
       for (double& v : velocity.value) v = std::abs(v) > slip_rounding() ? v : tip.start_slip_velocity;
     }
-    look(Guard::slip_reversal, blade, tip.start_slip_velocity, velocity, sign);
+    look(Guard::slip_reversal, tip.number, tip.start_slip_velocity, velocity, sign);
   };
-  look_at_slip(blade_, contact_.slip, contact_.straight || contact_.skims, bounds.slip_velocity, interval);
-  for (std::size_t k = 0; k < further_.size(); ++k)
-    look_at_slip(further_[k].blade, further_[k].slip, further_[k].straight || further_[k].skims,
-                 bounds.further[k].slip_velocity, interval.further[k]);
+  for (std::size_t k = 0; k < tips_.size(); ++k)
+    look_at_slip(interval.tips[k], bounds_.tips[k].slip_velocity);
   const auto look_at_validity = [&](Guard guard, int blade) {
     const Course left = validity_left(interval, guard, blade);
     look(guard, blade, left.start, left.nodes, 1.0);
   };
-  if (!(bounds.shortening < law_->valid_shortening(blade_)))
-    look_at_validity(Guard::shortening_limit, blade_);
-  for (std::size_t k = 0; k < further_.size(); ++k) {
-    if (!(bounds.further[k].shortening < law_->valid_shortening(further_[k].blade)))
-      look_at_validity(Guard::shortening_limit, further_[k].blade);
+  for (std::size_t k = 0; k < tips_.size(); ++k) {
+    if (!(bounds_.tips[k].shortening < law_->valid_shortening(tips_[k].number)))
+      look_at_validity(Guard::shortening_limit, tips_[k].number);
   }
-  if (!(bounds.distance < machine().ring_radius)) look_at_validity(Guard::shaft_at_ring, kNoBlade);
+  if (!(bounds_.distance < machine().ring_radius)) look_at_validity(Guard::shaft_at_ring, kNoBlade);
   return first;
 }
 
@@ -153,13 +150,13 @@ double ContactArc::left_at_end(const Ending& ending, const Interval& interval) c
       return -0.5 * contact::gap_rate(law_->geometry(ending.blade), there, interval.angular_speed.at_end());
     }
     case Guard::under_load:
-      return interval.gap_measure.at_end();
+      return interval.leader().gap_measure.at_end();
     case Guard::unbent:
       return interval.argument.at_end();
     case Guard::fold:
       return interval.time_slope.at_end();
     case Guard::chart_end:
-      return interval.chart_left.at_end();
+      return interval.leader().chart_left.at_end();
     case Guard::loosening:
     case Guard::pressed_in:
       return tip().cone_left.at_end();
@@ -173,14 +170,14 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
   constexpr int kTimes = 4;
   constexpr double kClosestFraction = 1e-11;
   // At a fold time stands still, and where no force is left nothing is missed in a moment.
-  const bool once = ending.guard == Guard::fold || (ending.guard == Guard::unbent && further_.empty());
+  const bool once = ending.guard == Guard::fold || (ending.guard == Guard::unbent && tips_.size() == 1);
   // Whether a tip comes to rest, and which way one slips that comes loose, depends on v to rounding, the more
   // so where friction hardly moves the tip.
   constexpr double kToRounding = 0.05;  // of what v may be
   constexpr double kCloser = 1e-3;      // than other guards, in θ
   const Guard guard = guard_of_tip(ending.guard);
   const bool loosens = guard == Guard::loosening;
-  const bool may_rest = contact_.leans && (loosens || guard == Guard::slip_reversal);
+  const bool may_rest = leans_ && (loosens || guard == Guard::slip_reversal);
   const double rounding = loosens ? std::numeric_limits<double>::epsilon() * machine().ring_radius
                                   : kToRounding * slip_rounding();
   const double closest = may_rest ? rounding : std::numeric_limits<double>::infinity();
@@ -218,7 +215,7 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
 /// unbends nothing holds it.
 ContactArc::Guard ContactArc::guard_of_tip(Guard guard) const {
   const bool is_end_of_branch = guard == Guard::fold || guard == Guard::unbent || guard == Guard::chart_end;
-  return contact_.slip == 0.0 && contact_.leans && is_end_of_branch ? Guard::loosening : guard;
+  return leading().slip == 0.0 && leans_ && is_end_of_branch ? Guard::loosening : guard;
 }
 
 /// The end of an interval: of the contact, or at a touch-down, to rounding, where one ends it.
@@ -227,7 +224,8 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   end_ = end_of(interval);
   er_ = {interval.blade_x.at_end(), interval.blade_y.at_end()};
   ending_ = ending;
-  if (ending.guard == Guard::none && interval.chord.time == 0.0) ending_ = {Guard::unbent, 1.0, blade_, 0.0};
+  if (ending.guard == Guard::none && interval.chord.time == 0.0)
+    ending_ = {Guard::unbent, 1.0, leader(), 0.0};
   if (const int skims = skimming_blade(); skims != kNoBlade) {
     rotor::put_on_ring(*whole_, law_->geometry(skims), direction(skims, end_.time),
                        blades_->angular_speed(end_.time), end_.bodies);
@@ -262,7 +260,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
       move(end_, interval,
            -end_.bending.argument * interval.time_slope.at_end() / interval.argument_slope.at_end());
       end_.bending.argument = 0.0;
-      if (law_->ends_at_ring() && !law_->may_stand_straight(blade_)) goes_on_to_ring(blade_);
+      if (law_->ends_at_ring() && !law_->may_stand_straight(leader())) goes_on_to_ring(leader());
       break;
     case Guard::under_load:
       if (law_->ends_at_ring()) goes_on_to_ring(ending_.blade);

@@ -9,50 +9,36 @@
 
 namespace rubatlas::collocation {
 
-Bounds ContactArc::bounds_of(const Interval& interval) const {
-  Bounds bounds{};
-  bounds.further.resize(interval.further.size());
-  solver_.bounds(contact_, interval, bounds);
-  return bounds;
-}
-
 /// No slip reverses but the one that ends the interval, no blade snaps, the shaft stays within the ring and
 /// the blades within their limit.
-bool ContactArc::stays_valid(const Bounds& bounds, const Ending& ending) const {
-  const auto keeps_slip = [&](int blade, double slip, double start, double least) {
-    if (!reverses(slip)) return true;
-    const bool reverses_here = ending.guard == Guard::slip_reversal && ending.blade == blade;
+bool ContactArc::stays_valid(const Ending& ending) const {
+  const auto keeps_slip = [&](const TipStart& tip, double least) {
+    if (!reverses(tip.slip)) return true;
+    const bool reverses_here = ending.guard == Guard::slip_reversal && ending.blade == tip.number;
     // Where v has been located as zero it has any sign. From zero a tip slips on by the square of the time,
     // at first less than the rounding of v.
-    const double rounding = reverses_here            ? std::max(rounding_at_end_, slip_rounding())
-                            : slips_from_zero(start) ? slip_rounding()
-                                                     : 0.0;
+    const double rounding = reverses_here ? std::max(rounding_at_end_, slip_rounding())
+                            : slips_from_zero(tip.start_slip_velocity) ? slip_rounding()
+                                                                       : 0.0;
     const bool slips_on = rounding > 0.0 ? least >= -rounding : least > 0.0;
-    return slips_on && (slip * start > 0.0 || law_->may_slip_back());
+    return slips_on && (tip.slip * tip.start_slip_velocity > 0.0 || law_->may_slip_back());
   };
-  const auto stays_short = [&](int blade, double largest) {
+  if (!(bounds_.distance < machine().ring_radius) && ending.guard != Guard::shaft_at_ring) return false;
+  for (std::size_t k = 0; k < tips_.size(); ++k) {
+    const int blade = tips_[k].number;
     const bool limit_ends_it = ending.guard == Guard::shortening_limit && ending.blade == blade;
-    return limit_ends_it || largest < law_->valid_shortening(blade);
-  };
-  if (!(bounds.distance < machine().ring_radius) && ending.guard != Guard::shaft_at_ring) return false;
-  if (!stays_short(blade_, bounds.shortening)) return false;
-  if (!keeps_slip(blade_, contact_.slip, at_end_.start_slip_velocity, bounds.slip_velocity)) return false;
-  for (std::size_t k = 0; k < further_.size(); ++k) {
-    const FurtherStart& further = further_[k];
-    if (!stays_short(further.blade, bounds.further[k].shortening) ||
-        !keeps_slip(further.blade, further.slip, further.tip.start_slip_velocity,
-                    bounds.further[k].slip_velocity))
-      return false;
+    const bool stays_short = limit_ends_it || bounds_.tips[k].shortening < law_->valid_shortening(blade);
+    if (!stays_short || !keeps_slip(tips_[k], bounds_.tips[k].slip_velocity)) return false;
   }
-  if (!(bounds.cone_left > 0.0)) return false;
-  return !contact_.leans || (bounds.time_slope > 0.0 && bounds.chart_left > 0.0);
+  if (!(bounds_.cone_left > 0.0)) return false;
+  return !leans_ || (bounds_.time_slope > 0.0 && bounds_.chart_left > 0.0);
 }
 
 /// Whether another tip does not touch within an interval: its gap [m²] stays below what is allowed, or, where
 /// it starts inside the ring, half of the rate of that.
 bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) {
   const std::array<double, 2>& offset = offset_of(blade);
-  const double bound = solver_.largest_gap(contact_, interval, numbers(blade), offset);
+  const double bound = solver_.largest_gap(machine(), interval, numbers(blade), offset);
   gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
   if (starts_inside(blade))
     return largest_coefficient(course_of_tip(machine(), interval, numbers(blade), offset).rate) < allowed;
@@ -64,20 +50,20 @@ bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) 
 /// error between the nodes where there can be no fold, is taken for one.
 bool ContactArc::is_next_to_unbent(const Interval& interval) const {
   constexpr double kNear = 0.03;
-  if (contact_.leans && !(interval.lean.at_end() > 0.0)) return false;  // it is bent against its load
+  if (leans_ && !(interval.leader().lean.at_end() > 0.0)) return false;  // it is bent against its load
   const double argument = interval.argument.at_end();
   // A column that may stand straight bends from above the ring, where a fold may be one.
   return argument < kNextToUnbent ||
-         (argument < kNear && !law_->may_stand_straight(blade_) &&
-          law_->starts_unloaded(blade_, contact_.slip, pose(blade_, end_of(interval))));
+         (argument < kNear && !law_->may_stand_straight(leader()) &&
+          law_->starts_unloaded(leader(), leading().slip, pose(leader(), end_of(interval))));
 }
 
 /// Whether an interval is to be made: what ends it, and that nothing does before.
 ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const Interval& next = trial();
   const bool reaches_zero = next.chord.time == 0.0;
-  Bounds bounds = bounds_of(next);
-  const auto first = touch_down(next, guard_of_contacts(next, bounds));
+  solver_.bounds(machine(), next, bounds_);
+  const auto first = touch_down(next, guard_of_contacts(next));
   if (!first) return Verdict::too_long;
   ending = *first;
   const bool in_part = ending.guard != Guard::none;
@@ -98,7 +84,7 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
       return next.elapsed.at_end() > kImpact ? Verdict::too_long : Verdict::at_once;
     // Beyond its ending the interval is no motion.
     const bool lifts = ending.guard == Guard::unbent || ending.guard == Guard::under_load;
-    if (!lifts || !further_.empty() || !stays_valid(bounds, ending)) bounds = bounds_of(part);
+    if (!lifts || tips_.size() > 1 || !stays_valid(ending)) solver_.bounds(machine(), part, bounds_);
     // The tip that touches is at the ring at the end.
     const double at_ring = 2.0 * machine().ring_radius * tolerance_;
     gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
@@ -107,21 +93,21 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
     }
   }
   // Another is close to its fold, where it may have been solved for on the wrong side.
-  const auto leads_next = std::ranges::find(bounds.further, false, &Bounds::OfFurther::stays);
-  const bool may_change = leads_next != bounds.further.end() && lead_changes_ < kMostLeadChanges;
+  const auto leads_next = std::ranges::find(bounds_.tips, false, &Bounds::OfTip::stays);
+  const bool may_change = leads_next != bounds_.tips.end() && lead_changes_ < kMostLeadChanges;
   const auto change_leader = [&] {
-    begin_anew(1 + static_cast<std::size_t>(leads_next - bounds.further.begin()));
+    begin_anew(static_cast<std::size_t>(leads_next - bounds_.tips.begin()));
     ++lead_changes_;
     return Verdict::another_leads;
   };
   // Bounds of shorter intervals tell.
-  if (!stays_valid(bounds, ending)) return begins_ && may_change ? change_leader() : Verdict::too_long;
-  displacement_bound_ = bounds.displacement;
-  argument_bound_ = bounds.argument;
+  if (!stays_valid(ending)) return begins_ && may_change ? change_leader() : Verdict::too_long;
+  displacement_bound_ = bounds_.displacement;
+  argument_bound_ = bounds_.argument;
   // A blade that has just bent on a ring with dampers moves away from where it stood straight by the square
   // of the time, at first by less than sweeps leave.
-  const bool stays_bent = begins_ ? bounds.gap_measure > -kClosest * tolerance_
-                                  : bounds.gap_measure > 0.0 && next.start_gap_measure > 0.0;
+  const bool stays_bent = begins_ ? bounds_.gap_measure > -kClosest * tolerance_
+                                  : bounds_.gap_measure > 0.0 && leading().start_gap_measure > 0.0;
   if (ending.guard != Guard::under_load && !is_held_beyond_ring() && !stays_bent) return Verdict::too_long;
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold && is_next_to_unbent(kept)) ending.guard = Guard::unbent;
@@ -135,7 +121,7 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   }
   // To the one that is close to its fold, and back to one that is closer.
   if (may_change) return change_leader();
-  if (leads_next != bounds.further.end()) return Verdict::too_long;
+  if (leads_next != bounds_.tips.end()) return Verdict::too_long;
   return in_part ? Verdict::holds_in_part : Verdict::holds;
 }
 

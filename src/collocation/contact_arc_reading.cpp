@@ -45,11 +45,10 @@ ContactArc::Point ContactArc::solved_at_fraction(double fraction) {
 }
 
 contact::BladeDirection ContactArc::direction_at_node(int blade, std::size_t node) const {
-  const contact::BladeDirection leader{made().blade_x[node], made().blade_y[node]};
-  if (blade == blade_) return leader;
-  const std::array<double, 2>& offset = made().further[number_of(blade)].offset;
-  return {leader.cosine * offset[0] - leader.sine * offset[1],
-          leader.sine * offset[0] + leader.cosine * offset[1]};
+  const double x = made().blade_x[node];
+  const double y = made().blade_y[node];
+  const auto& [cosine, sine] = tip(blade).offset;
+  return {x * cosine - y * sine, y * cosine + x * sine};
 }
 
 ContactArc::Stretch ContactArc::stretch(double from, double to) const {
@@ -67,14 +66,14 @@ ContactArc::Point ContactArc::solved_in(const Stretch& stretch, double fraction)
 
 std::optional<ContactArc::Point> ContactArc::most_bent(int blade, double from, double to, double known) {
   const double bound = 1.0 + kSafety * allowed_ / rotor_->length_scale;
-  if (blade == blade_ && bound * argument_bound_ <= known) return std::nullopt;  // mostly
+  const bool leads = blade == leader();
+  if (leads && bound * argument_bound_ <= known) return std::nullopt;  // mostly
   const double least = known / bound;
   const Stretch within = stretch(from, to);
-  const FurtherBlade* further = blade == blade_ ? nullptr : &made().further[number_of(blade)];
-  const AtPlaces values = further != nullptr ? at_places(further->start_square, further->square)
-                                             : at_places(made().start_argument, made().argument);
-  const auto most = largest_of(values, within.first, within.last, further != nullptr ? least * least : least);
-  const double argument = further != nullptr ? std::sqrt(std::max(0.0, most.value)) : most.value;
+  const AtPlaces values = leads ? at_places(made().start_argument, made().argument)
+                                : at_places(tip(blade).start_square, tip(blade).square);
+  const auto most = largest_of(values, within.first, within.last, leads ? least : least * least);
+  const double argument = leads ? most.value : std::sqrt(std::max(0.0, most.value));
   if (bound * argument <= known) return std::nullopt;
   const Point there = solved_in(within, most.argument);
   const double nearer = nearer_to_top(blade, there, values, most.argument);
@@ -97,7 +96,7 @@ double ContactArc::nearer_to_top(int blade, const Point& there, const AtPlaces& 
   const ArcLaw::Tangent tangent =
       law_->tangent(touch_of(blade, there), pose(blade, there), blades_->angular_speed(there.time), {});
   double slope = tangent.argument / tangent.time * direction_at(fraction).time;
-  if (blade != blade_) slope *= 2.0 * argument;
+  if (blade != leader()) slope *= 2.0 * argument;
   const double missed = -0.5 * slope * slope / curvature;
   return curvature < 0.0 && missed > kMissed * value(fraction) ? fraction - slope / curvature : fraction;
 }
@@ -148,11 +147,12 @@ ArcLaw::Tangent ContactArc::direction_at(double fraction) const {
   const AtNodes basis = slope_basis_at(fraction);
   ArcLaw::Tangent tangent{sum_of_products(basis, made().time_slope),
                           sum_of_products(basis, made().argument_slope), 0.0};
-  if (contact_.leans) {
+  if (leans_) {
+    const TipInTime& leading = made().leader();
     AtNodes slopes{};
     for (std::size_t j = 0; j < kNodes; ++j) {
       for (std::size_t i = 0; i < kNodes; ++i)
-        slopes[i] += node_tables().slope[j][i] * (made().lean[j] - made().start_lean);
+        slopes[i] += kNodeTables.slope[j][i] * (leading.lean[j] - leading.start_lean);
     }
     tangent.lean = sum_of_products(basis, slopes);
   }
@@ -160,14 +160,15 @@ ArcLaw::Tangent ContactArc::direction_at(double fraction) const {
 }
 
 Bending ContactArc::bending_of(int blade, const Point& point) const {
-  if (blade == blade_) return point.bending;
-  Bending bending = point.further[number_of(blade)];
+  const std::size_t number = number_of(blade);
+  if (number == 0) return point.bending;
+  Bending bending = point.further[number - 1];
   bending.argument = std::sqrt(std::max(0.0, bending.argument));
   return bending;
 }
 Touch ContactArc::touch_of(int blade, const Point& point) const {
-  const double slip = blade == blade_ ? contact_.slip : further_[number_of(blade)].slip;
-  if (slip != 0.0 || !law_->is_rigid()) return law_->touch(blade, slip, bending_of(blade, point));
+  const TipStart& tip = tips_[number_of(blade)];
+  if (tip.slip != 0.0 || !law_->is_rigid()) return law_->touch(tip, bending_of(blade, point));
   std::vector<Touch> touching = touching_at(point);
   hold(touching, point);
   return *std::ranges::find(touching, blade, &Touch::blade);

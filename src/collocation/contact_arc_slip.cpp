@@ -16,32 +16,29 @@ namespace rubatlas::collocation {
 
 /// The sign of v where it starts from zero: that of s, or, of a straight tip that may slip back, of dv/dτ.
 /// `acceleration`: of the shaft, seen from the ring.
-void ContactArc::set_out(int blade, double slip, const std::complex<double>& acceleration,
-                         double& velocity) const {
-  if (slip == 0.0 || std::abs(velocity) > slip_rounding()) return;
-  const double ahead =
-      law_->may_slip_back() && is_straight(blade) ? slip_acceleration(blade, end_, acceleration) : slip;
-  velocity = std::copysign(std::numeric_limits<double>::min(), ahead);
+void ContactArc::set_out(TipStart& tip, const std::complex<double>& acceleration) const {
+  if (tip.slip == 0.0 || std::abs(tip.start_slip_velocity) > slip_rounding()) return;
+  const double ahead = law_->may_slip_back() && is_straight(tip.number)
+                           ? slip_acceleration(tip.number, end_, acceleration)
+                           : tip.slip;
+  tip.start_slip_velocity = std::copysign(std::numeric_limits<double>::min(), ahead);
 }
 
 /// The same of bent tips that may slip back, which the solved interval tells: their v follows from how they
 /// bend.
 void ContactArc::set_out_as_solved() {
   if (!law_->may_slip_back()) return;
-  const auto sign_as_solved = [this](double slip, bool straight, const TipInTime& tip, double& velocity) {
-    if (slip == 0.0 || straight || !slips_from_zero(velocity)) return;
-    const double left = std::max(slip_rounding(), kClosest * tolerance_);
-    const auto known =
-        std::ranges::find_if(tip.slip_velocity.value, [left](double v) { return std::abs(v) > left; });
-    if (known != tip.slip_velocity.value.end()) velocity = std::copysign(velocity, *known);
-  };
-  Interval& next = trial();
-  sign_as_solved(contact_.slip, is_straight(blade_), next, at_end_.start_slip_velocity);
-  next.start_slip_velocity = at_end_.start_slip_velocity;
-  for (std::size_t k = 0; k < further_.size(); ++k) {
-    FurtherStart& further = further_[k];
-    sign_as_solved(further.slip, further.straight, next.further[k], further.tip.start_slip_velocity);
-    next.further[k].start_slip_velocity = further.tip.start_slip_velocity;
+  const double left = std::max(slip_rounding(), kClosest * tolerance_);
+  for (std::size_t k = 0; k < tips_.size(); ++k) {
+    BladeStart& tip = tips_[k];
+    TipInTime& solved = trial().tips[k];
+    if (tip.slip != 0.0 && !is_straight(tip.number) && slips_from_zero(tip.start_slip_velocity)) {
+      const auto known =
+          std::ranges::find_if(solved.slip_velocity.value, [left](double v) { return std::abs(v) > left; });
+      if (known != solved.slip_velocity.value.end())
+        tip.start_slip_velocity = std::copysign(tip.start_slip_velocity, *known);
+    }
+    solved.start_slip_velocity = tip.start_slip_velocity;
   }
 }
 
@@ -103,16 +100,15 @@ void ContactArc::skim(std::span<Touch> touching, const Point& point) const {
 
 /// The blade of the tip that skims, or none.
 int ContactArc::skimming_blade() const {
-  if (contact_.skims) return blade_;
-  const auto skims = std::ranges::find(further_, true, &FurtherStart::skims);
-  return skims == further_.end() ? kNoBlade : skims->blade;
+  const auto skims = std::ranges::find(tips_, true, &TipStart::skims);
+  return skims == tips_.end() ? kNoBlade : skims->number;
 }
 
 /// Takes from the shaft's velocity what is left of v of straight tips at rest at the end, which is not to
 /// drift, and of a tip whose slip has reversed, the shortest way: its v does not jump where s changes, and
 /// its sign would be taken for that of what follows.
 void ContactArc::bring_to_rest(int reversed) {
-  if (reversed == kNoBlade && contact_.slip != 0.0 && further_.empty()) return;
+  if (reversed == kNoBlade && leading().slip != 0.0 && tips_.size() == 1) return;
   std::array<contact::AtRest, contact::kMostAtRest> tips{};
   std::size_t count = 0;
   const auto take = [&](int blade) {
@@ -121,11 +117,9 @@ void ContactArc::bring_to_rest(int reversed) {
                                                        blades_->angular_speed(end_.time));
     tips[count++] = {tangent(blade, end_), v};
   };
-  const auto take_at_rest = [&](int blade, double slip) {
-    if (slip == 0.0 && blade != reversed && is_straight(blade)) take(blade);
-  };
-  take_at_rest(blade_, contact_.slip);
-  for (const FurtherStart& further : further_) take_at_rest(further.blade, further.slip);
+  for (const BladeStart& tip : tips_) {
+    if (tip.slip == 0.0 && tip.number != reversed && is_straight(tip.number)) take(tip.number);
+  }
   if (reversed != kNoBlade) take(reversed);
   contact::share_out(std::span(tips).first(count));
   for (std::size_t i = 0; i < count; ++i) {

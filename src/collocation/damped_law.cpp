@@ -37,8 +37,8 @@ std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at
   Touch found = touch;
   if (touch.straight) {
     found.yielding = law.depth(at);
-    const Start there = start(found, at, speed);
-    if (there.force.normal > 0.0 && there.tip.start_cone_left > 0.0) return found;
+    const BladeStart there = start(found, at, speed);
+    if (there.force.normal > 0.0 && there.start_cone_left > 0.0) return found;
     return std::nullopt;
   }
   if (touch.touches_down() && touch.yielding == 0.0) found.yielding = law.depth(at);
@@ -57,16 +57,15 @@ double DampedLaw::ring_opens(const Touch& touch, const contact::Pose& at, double
          law.yielding_rate(force(touch, at, speed).normal, touch.yielding);
 }
 
-ArcLaw::Start DampedLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
+BladeStart DampedLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
   if (touch.straight) {
     const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
     const contact::TipForce there = force(touch, at, speed);
-    Start start = starts(there, there.normal / law.ring().stiffness);
-    start.tip.start_yielding = touch.yielding;
-    start.tip.start_cone_left = law.bending_load(at, touch.slip, speed) - there.normal;
+    BladeStart start = starts(touch, there, there.normal / law.ring().stiffness);
+    start.start_cone_left = law.bending_load(at, touch.slip, speed) - there.normal;
     return start;
   }
-  Start start = AxialLaw::start(touch, at, speed);
+  BladeStart start = AxialLaw::start(touch, at, speed);
   start.ring_opens = ring_opens(touch, at, speed);
   return start;
 }
@@ -87,30 +86,27 @@ contact::TipForce DampedLaw::force(const Touch& touch, const contact::Pose& at, 
   return law.straight(at, touch.slip, speed, law.ring_load(law.depth(at), law.depth_rate(at, speed)));
 }
 
-bool DampedLaw::solve(const Contact& contact, const Closeness& closeness, Interval& interval) const {
-  if (!AxialLaw::solve(contact, closeness, interval)) return false;
-  find_bending_left(contact, interval, touching().front(), contact.slip, {1.0, 0.0}, interval);
-  for (std::size_t k = 0; k < interval.further.size(); ++k) {
-    FurtherBlade& further = interval.further[k];
-    find_bending_left(contact, interval, touching()[1 + k], further.slip, further.offset, further);
+bool DampedLaw::solve(const Machine& machine, const Closeness& closeness, Interval& interval) const {
+  if (!AxialLaw::solve(machine, closeness, interval)) return false;
+  for (TipInTime& tip : interval.tips) {
+    if (tip.straight) find_bending_left(machine, interval, tip);
   }
   return true;
 }
 
 /// At the nodes the load that would bend a straight blade, less its own.
-void DampedLaw::find_bending_left(const Contact& contact, const Interval& interval, const Touch& touch,
-                                  double slip, const std::array<double, 2>& offset, TipInTime& tip) const {
-  if (!touch.straight) return;
-  const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
+void DampedLaw::find_bending_left(const Machine& machine, const Interval& interval, TipInTime& tip) const {
+  const contact::ElasticBladeOnDampedRing& law = laws_->of(tip.number);
+  const std::array<double, 2>& offset = tip.offset;
   const Body& shaft = interval.shaft;
   const Body& ring = interval.ring;
   for (std::size_t i = 0; i < kNodes; ++i) {
     const contact::BladeDirection er{interval.blade_x[i] * offset[0] - interval.blade_y[i] * offset[1],
                                      interval.blade_y[i] * offset[0] + interval.blade_x[i] * offset[1]};
     const contact::Pose at = contact::pose(law.geometry(), er, shaft.x[i] - ring.x[i],
-                                           shaft.y[i] - ring.y[i] + contact.machine->misalignment,
+                                           shaft.y[i] - ring.y[i] + machine.misalignment,
                                            shaft.vx[i] - ring.vx[i], shaft.vy[i] - ring.vy[i]);
-    tip.cone_left[i] = law.bending_load(at, slip, interval.angular_speed[i]) - tip.normal_force[i];
+    tip.cone_left[i] = law.bending_load(at, tip.slip, interval.angular_speed[i]) - tip.normal_force[i];
   }
 }
 

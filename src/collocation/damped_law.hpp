@@ -32,17 +32,16 @@ class DampedLaw final : private BladesOfRing, public AxialLaw {
                                                 double speed) const override {
     return open(touch, at, speed);
   }
-  [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override;
+  [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override;
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override;
-  [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
+  [[nodiscard]] bool solve(const Machine& machine, const Closeness& closeness,
                            Interval& interval) const override;
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override;
 
  private:
-  void find_bending_left(const Contact& contact, const Interval& interval, const Touch& touch, double slip,
-                         const std::array<double, 2>& offset, TipInTime& tip) const;
+  void find_bending_left(const Machine& machine, const Interval& interval, TipInTime& tip) const;
   [[nodiscard]] double ring_opens(const Touch& touch, const contact::Pose& at, double speed) const;
 
   const Laws* laws_;

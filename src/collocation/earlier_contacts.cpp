@@ -38,7 +38,7 @@ void place(const Places& earlier, const std::array<double, 2>& turn, const AtNod
 
 }  // namespace
 
-void EarlierInterval::take(const Contact& contact, const Interval& solved, double length_of_arc) {
+void EarlierInterval::take(const Machine& machine, const Interval& solved, double length_of_arc) {
   length = length_of_arc;
   chord = solved.chord;
   normal = solved.normal;
@@ -46,13 +46,12 @@ void EarlierInterval::take(const Contact& contact, const Interval& solved, doubl
   deviation = solved.deviation;
   elapsed = solved.elapsed;
   shaft = static_cast<const Places&>(solved.shaft);
-  if (contact.machine->ring.moves) ring = static_cast<const Places&>(solved.ring);
-  if (!contact.leans) return;
-  start_lean = solved.start_lean;
-  lean = solved.lean;
+  if (machine.ring.moves) ring = static_cast<const Places&>(solved.ring);
+  start_lean = solved.leader().start_lean;
+  lean = solved.leader().lean;
 }
 
-void EarlierInterval::guess(const Contact& contact, Interval& next) const {
+void EarlierInterval::guess(const Machine& machine, Interval& next) const {
   next.chord = chord;
   next.normal = normal;
   if (chord.time == 0.0) next.chord.argument = -next.start_argument;  // down to p = 0, wherever it starts
@@ -60,9 +59,10 @@ void EarlierInterval::guess(const Contact& contact, Interval& next) const {
   const std::array<double, 2> turn{next.blade[0] * blade[0] + next.blade[1] * blade[1],
                                    next.blade[1] * blade[0] - next.blade[0] * blade[1]};
   place(shaft, turn, elapsed, next.shaft);
-  if (contact.machine->ring.moves) place(ring, turn, elapsed, next.ring);
-  if (!contact.leans) return;
-  for (std::size_t i = 0; i < kNodes; ++i) next.lean[i] = lean[i] + (next.start_lean - start_lean);
+  if (machine.ring.moves) place(ring, turn, elapsed, next.ring);
+  if (!next.leans()) return;
+  TipInTime& leader = next.leader();
+  for (std::size_t i = 0; i < kNodes; ++i) leader.lean[i] = lean[i] + (leader.start_lean - start_lean);
 }
 
 double EarlierContacts::distance(const Beginning& a, const Beginning& b, double least) const {

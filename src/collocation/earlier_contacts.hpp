@@ -20,7 +20,7 @@ struct Beginning {
   std::array<double, 2> forcing{};  ///< acceleration by all forcings [m per unit τ²]
   double argument = 0.0;            ///< p
   double slip = 0.0;                ///< s
-  bool straight = false;            ///< as in `Contact`
+  bool straight = false;            ///< as in `TipStart`
 };
 
 /// The solution of an interval of an earlier contact.
@@ -33,9 +33,9 @@ struct EarlierInterval {
   AtNodes deviation, elapsed, lean;
   Places shaft, ring;
 
-  void take(const Contact& contact, const Interval& solved, double length_of_arc);
+  void take(const Machine& machine, const Interval& solved, double length_of_arc);
   /// Guesses an interval whose start is known: it goes on from there as this one did.
-  void guess(const Contact& contact, Interval& next) const;
+  void guess(const Machine& machine, Interval& next) const;
 };
 
 struct EarlierContact {

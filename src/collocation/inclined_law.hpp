@@ -77,9 +77,18 @@ class InclinedLaw final : public ArcLaw {
     if (!law.respond(at, touch.slip, speed, opened.bend, force)) return std::nullopt;
     return opened;
   }
-  Bending lead(const Touch& touch, bool alone) override {
+  void take(const Touch& touch, bool alone) override {
+    InclinedLoad& load = loads_[static_cast<std::size_t>(touch.blade)];
+    load.rests = touch.slip == 0.0;
+    load.side = side(touch);
+    load.table = alone && load.side == touch.slip ? table_of(touch.blade) : nullptr;
+    load.scale = load.table != nullptr
+                     ? load.bending_slope(0.0)
+                     : std::max(2.0 * std::abs(lean_of(touch.bend)), InclinedLoad::kLeastScale);
+  }
+  Bending lead(const Touch& touch) override {
     leader_ = touch.blade;
-    const InclinedLoad& load = take(touch, alone);
+    const InclinedLoad& load = load_of(leader_);
     // A blade that an axial load bends the way friction pushes has no fold (MODEL 4.2).
     has_branches_ = load.along_normal || load.rests || load.friction.depends_on_velocity() ||
                     load.side * touch.slip < 0.0;
@@ -91,7 +100,7 @@ class InclinedLaw final : public ArcLaw {
   [[nodiscard]] double side(const Touch& touch) const override {
     return std::copysign(1.0, touch.bend.modulus);
   }
-  [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override {
+  [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override {
     const auto& law = law_->of(touch.blade);
     const auto there = constraint(touch, at, speed);
     // g/|D|, as h = 0 has it.
@@ -99,11 +108,11 @@ class InclinedLaw final : public ArcLaw {
     const double share = deflection > kUnbent ? there.blade.shortening.value / deflection : 0.0;
     const double measure = 2.0 * side(touch) * there.tip.across + law.length() * deflection +
                            share * (2.0 * there.tip.along + law.length() * there.blade.shortening.value);
-    Start start = starts(law.force_of(at, speed, there), measure);
-    start.tip.start_lean = lean_of(touch.bend);
-    start.tip.start_chart_left =
-        load_of(touch.blade).chart_left(bending_of(touch.bend), start.tip.start_lean);
-    start.tip.start_cone_left = load_of(touch.blade).cone() - there.coefficient * there.coefficient;
+    BladeStart start = starts(touch, law.force_of(at, speed, there), measure);
+    start.load = &load_of(touch.blade);
+    start.start_lean = lean_of(touch.bend);
+    start.start_chart_left = start.load->chart_left(bending_of(touch.bend), start.start_lean);
+    start.start_cone_left = start.load->cone() - there.coefficient * there.coefficient;
     return start;
   }
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
@@ -136,41 +145,34 @@ class InclinedLaw final : public ArcLaw {
     return knots_;
   }
   [[nodiscard]] double deflection_per_square() const override { return deflection_per_square_; }
-  FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override {
-    const InclinedLoad& load = take(touch, false);
-    const Start there = start(touch, at, speed);
+  void set_course(const Touch& touch, const contact::Pose& at, double speed,
+                  BladeStart& start) const override {
     const double argument = argument_of(touch);
-    FurtherStart result{.blade = touch.blade,
-                        .slip = touch.slip,
-                        .load = &load,
-                        .square = {argument * argument},
-                        .lean = {there.tip.start_lean},
-                        .tip = there.tip,
-                        .force = there.force};
+    start.square.value = argument * argument;
+    start.lean.value = start.start_lean;
     if (argument > 0.0) {
       // As the shaft would move on without forces: for the first guess.
       const Tangent along = tangent(touch, at, speed, {});
-      result.square.rate = 2.0 * argument * along.argument / along.time;
-      result.lean.rate = along.lean / along.time;
+      start.square.rate = 2.0 * argument * along.argument / along.time;
+      start.lean.rate = along.lean / along.time;
     } else {
       // Where the blade begins to bend, g = (g/|D|) |D|, with |D| ~ p².
       const auto& law = law_->of(touch.blade);
-      result.square.rate =
+      start.square.rate =
           contact::gap_rate(law.geometry(), at, speed) /
-          (there.tip.start_gap_measure * law.length() * load.deflection_per_square(there.tip.start_lean));
+          (start.start_gap_measure * law.length() * start.load->deflection_per_square(start.start_lean));
     }
-    return result;
   }
-  [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
+  [[nodiscard]] bool solve(const Machine& machine, const Closeness& closeness,
                            Interval& interval) const override {
-    const InclinedLoad& load = load_of(leader_);
-    if (load.table != nullptr) return solve_by_table(contact, load, closeness, interval);
-    return solver_.solve_inclined(contact, load, closeness, interval);
+    return interval.leader().load->table != nullptr ? solve_by_table(machine, closeness, interval)
+                                                    : solver_.solve_inclined(machine, closeness, interval);
   }
-  [[nodiscard]] Touch touch(int blade, double slip, const Bending& bending) const override {
-    const InclinedLoad& load = load_of(blade);
+  [[nodiscard]] Touch touch(const TipStart& tip, const Bending& bending) const override {
+    const InclinedLoad& load = load_of(tip.number);
     const double u = load.bending(bending.argument);
-    return {blade, slip, 0.0, {load.side * std::hypot(u, bending.lean), std::atan2(u, bending.lean)}};
+    return {
+        tip.number, tip.slip, 0.0, {load.side * std::hypot(u, bending.lean), std::atan2(u, bending.lean)}};
   }
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override {
@@ -212,6 +214,7 @@ class InclinedLaw final : public ArcLaw {
     load.side = std::copysign(1.0, first);
     load.scale = 2.0 * lean;
     const Blade blade = numbers(touch.blade);
+    const TipStart tip{.blade = &blade, .load = &load, .slip = touch.slip};
     BranchPoints points;
     points.lean.value.fill(lean);
     double from = 0.0;
@@ -221,8 +224,7 @@ class InclinedLaw final : public ArcLaw {
     const auto look = [&] {
       for (std::size_t i = 0; i < kNodes; ++i)
         points.argument[i] = from + (to - from) * static_cast<double>(i + 1) / kNodes;
-      if (!solver_.inclined_branch(blade, touch.slip, law.geometry().ring_radius, load, at, speed, points))
-        return false;
+      if (!solver_.inclined_branch(tip, law.geometry().ring_radius, at, speed, points)) return false;
       const auto& h = points.residual.value;
       beyond = static_cast<std::size_t>(std::ranges::find_if(h, [](double there) { return !(there > 0.0); }) -
                                         h.begin());
@@ -307,17 +309,6 @@ class InclinedLaw final : public ArcLaw {
   [[nodiscard]] const InclinedLoad& load_of(int blade) const {
     return loads_[static_cast<std::size_t>(blade)];
   }
-  /// The load of a contact that goes on from there.
-  const InclinedLoad& take(const Touch& touch, bool alone) {
-    InclinedLoad& load = loads_[static_cast<std::size_t>(touch.blade)];
-    load.rests = touch.slip == 0.0;
-    load.side = side(touch);
-    load.table = alone && load.side == touch.slip ? table_of(touch.blade) : nullptr;
-    load.scale = load.table != nullptr
-                     ? load.bending_slope(0.0)
-                     : std::max(2.0 * std::abs(lean_of(touch.bend)), InclinedLoad::kLeastScale);
-    return load;
-  }
   /// Null where it ends before a blade may be shortened so far.
   [[nodiscard]] const blade::BendingTable* table_of(int blade) const {
     const blade::ElasticaCurve* const curve = law_->of(blade).curve();
@@ -327,17 +318,19 @@ class InclinedLaw final : public ArcLaw {
     return !knots.empty() && knots.back().shortening > max_shortening_ ? &table : nullptr;
   }
   /// As a blade of the paper's law.
-  [[nodiscard]] bool solve_by_table(const Contact& contact, const InclinedLoad& load,
-                                    const Closeness& closeness, Interval& interval) const {
-    Blade blade = *contact.blade;
-    blade.table = load.table;
-    blade.friction = load.friction.friction;
-    Contact axial = contact;
-    axial.blade = &blade;
-    if (!solver_.solve(axial, closeness, interval)) return false;
-    interval.lean.value.fill(std::sin(0.5 * load.table->scale()));
-    interval.chart_left.value.fill(interval.start_chart_left);
-    return true;
+  [[nodiscard]] bool solve_by_table(const Machine& machine, const Closeness& closeness,
+                                    Interval& interval) const {
+    TipInTime& leader = interval.leader();
+    const Blade* const inclined = leader.blade;
+    Blade axial = *inclined;
+    axial.table = leader.load->table;
+    axial.friction = leader.load->friction.friction;
+    leader.blade = &axial;
+    const bool solved = solver_.solve(machine, closeness, interval);
+    leader.blade = inclined;
+    leader.lean.value.fill(std::sin(0.5 * axial.table->scale()));
+    leader.chart_left.value.fill(leader.start_chart_left);
+    return solved;
   }
   /// p.
   [[nodiscard]] double argument_of(const Touch& touch) const {

@@ -39,19 +39,12 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
  public:
   using Number = Lanes<kWidth>;
 
-  InclinedSweeps(const Contact& contact, const InclinedLoad& load, const Closeness& closeness,
-                 Interval& interval)
-      : Base(contact, closeness, interval),
-        lean_(interval.lean),
-        lead_(*contact.blade, contact.slip, machine_.ring_radius, load),
-        further_(interval.further.size()) {
-    for (std::size_t k = 0; k < interval.further.size(); ++k) {
-      const FurtherBlade& blade = interval.further[k];
-      FurtherTip& further = further_[k];
-      further.tip = {*blade.blade, blade.slip, machine_.ring_radius, *blade.load};
-      further.square = Number(blade.square);
-      further.lean = Number(blade.lean);
-    }
+  InclinedSweeps(const Machine& machine, const Closeness& closeness, Interval& interval)
+      : Base(machine, closeness, interval),
+        lean_(interval.leader().lean),
+        lead_(interval.leader(), machine.ring_radius) {
+    further_.reserve(interval.further().size());
+    for (TipInTime& further : interval.further()) further_.emplace_back(further, machine.ring_radius);
     // Newton's first step has to know how v changes with the nodes' times.
     this->take_time_rate();
     shaft_.differentiate(interval.shaft, nodes_, time_rate_);
@@ -76,18 +69,21 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
 
   /// A further blade. Newton's steps for p² and l at the times that the leading one has.
   struct FurtherTip {
+    FurtherTip(TipInTime& further, double ring_radius)
+        : in_time(&further), tip(further, ring_radius), square(further.square), lean(further.lean) {}
+
+    TipInTime* in_time;
     Tip tip;
     Number square, lean;   ///< p², l
     Number bending_slope;  ///< du/dp
     Number e_rate;         ///< de/dτ
     Number inverse;        ///< of the determinant of h and e by u and l
-    bool lifts_off = false;
     typename Tip::InBlade push;
   };
 
   /// The shaft seen from a blade in the direction er.
-  InclinedPose<kWidth> pose_from(const TipStart& start, const Blade& blade, const Direction& er) const {
-    return {this->pose_of(this->straight_tip(start, blade, er), blade.reach, er), this->angular_speed_};
+  InclinedPose<kWidth> pose_from(const TipStart& start, const Direction& er) const {
+    return {this->pose_of(this->straight_tip(start, er), start.blade->reach, er), this->angular_speed_};
   }
   /// The shaft's, as seen from the ring.
   Vector seen_acceleration() const {
@@ -106,6 +102,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     return tip.inclined().rests ? magnitude(tip.e).largest() * machine_.ring_radius : 0.0;
   }
 
+  double sweep(bool light) { return light ? sweep<true>() : sweep<false>(); }
   /// Returns the largest change of a velocity [m per unit τ]; not a number where there is no blade.
   ///
   /// A `light` sweep keeps the slopes of the sweep before.
@@ -115,7 +112,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     this->take_direction();
     const Number argument = this->chord_argument_ + deviation_ * in.normal.argument;
     const Number square = argument * argument;
-    const InclinedPose<kWidth> at = pose_from(in, lead_.numbers(), er_);
+    const InclinedPose<kWidth> at = pose_from(in.leader(), er_);
     if (!lead_.template stand<!kLight>(bending_of(lead_.inclined(), argument, square), lean_, at))
       return std::numeric_limits<double>::quiet_NaN();
     if (!kLight) {
@@ -148,11 +145,11 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     const Direction er_before = er_;
     this->turn_on(time_step);
     Vector push = on_shaft(lead_.move_on(bending_step, lean_step, time_step, machine_.force_unit), er_);
-    for (std::size_t k = 0; k < in.further.size(); ++k) {
-      const std::array<double, 2>& offset = in.further[k].offset;
-      if (!step_further<kLight>(in.further[k], further_[k], Base::direction_at(er_before, offset), time_step))
+    for (FurtherTip& further : further_) {
+      const std::array<double, 2>& offset = further.in_time->offset;
+      if (!step_further<kLight>(further, Base::direction_at(er_before, offset), time_step))
         return std::numeric_limits<double>::quiet_NaN();
-      push = push + on_shaft(further_[k].push, Base::offset_by(er_, offset));
+      push = push + on_shaft(further.push, Base::offset_by(er_, offset));
     }
     const Vector expected = seen_velocity() + seen_acceleration() * time_step;
     this->move(push);
@@ -220,11 +217,10 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   /// False where there is no such blade. `er`: its direction before the step in time. A function of its own:
   /// compilers keep more of the leading blade in registers.
   template <bool kLight>
-  [[gnu::noinline]] bool step_further(const TipStart& start, FurtherTip& further, const Direction& er,
-                                      const Number& time_step) {
+  [[gnu::noinline]] bool step_further(FurtherTip& further, const Direction& er, const Number& time_step) {
     Tip& tip = further.tip;
     const Number argument = root(further.square);
-    const InclinedPose<kWidth> at = pose_from(start, tip.numbers(), er);
+    const InclinedPose<kWidth> at = pose_from(*further.in_time, er);
     if (!tip.template stand<!kLight>(bending_of(tip.inclined(), argument, further.square), further.lean, at))
       return false;
     if (!kLight) {
@@ -238,7 +234,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     const Number bending_step = (e * tip.h_by_lean - h * tip.e_by_lean) * further.inverse;
     const Number lean_step = (h * tip.e_by_bending - e * tip.h_by_bending) * further.inverse;
     const Number step = argument * 2.0 * (bending_step / further.bending_slope);
-    further.square = this->stepped(further.square, step, further.lifts_off);
+    further.square = this->stepped(further.square, step, further.in_time->lifts_off);
     further.lean = further.lean + lean_step;
     largest_step_ = std::max(largest_step_, magnitude(lean_step).largest());
     further.push = tip.move_on((root(further.square) - argument) * further.bending_slope, lean_step,
@@ -248,21 +244,18 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
 
   void store_tip(const Tip& tip, const Direction& er, TipInTime& kept) const {
     const double radius = machine_.ring_radius;
-    this->straight_tip(kept, tip.numbers(), er).gap.store(kept.gap);
+    this->straight_tip(kept, er).gap.store(kept.gap);
     tip.store(kept);
     Base::gap_per_deflection(tip, tip.inclined().side, tip.numbers().length, 0.0).store(kept.gap_measure);
     this->slip_velocity_of(tip, er, tip.numbers().reach, 1.0 / radius, radius).store(kept.slip_velocity);
   }
   void store() const {
-    Interval& in = interval_;
     this->store_motion();
-    store_tip(lead_, er_, in);
-    for (std::size_t k = 0; k < in.further.size(); ++k) {
-      const FurtherTip& further = further_[k];
-      FurtherBlade& kept = in.further[k];
+    store_tip(lead_, er_, interval_.leader());
+    for (const FurtherTip& further : further_) {
+      TipInTime& kept = *further.in_time;
       store_tip(further.tip, Base::direction_at(er_, kept.offset), kept);
       further.square.store(kept.square);
-      kept.lifts_off = further.lifts_off;
       // The determinant by p² and l: positive where a slipping tip's branch goes on from the unbent blade.
       (further.bending_slope / (further.inverse * root(further.square)) * -further.tip.inclined().side)
           .store(kept.firmness);
@@ -285,8 +278,9 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
 
 /// `IntervalSolver::inclined_branch`.
 template <std::size_t kWidth>
-bool inclined_branch(const Blade& blade, double slip, double ring_radius, const InclinedLoad& load,
-                     const contact::Pose& pose, double angular_speed, BranchPoints& points) {
+bool inclined_branch(const TipStart& start, double ring_radius, const contact::Pose& pose,
+                     double angular_speed, BranchPoints& points) {
+  const InclinedLoad& load = *start.load;
   using Number = Lanes<kWidth>;
   constexpr int kMost = 8;
   constexpr double kClosest = 1e-6;  // of l: h is for Newton's method to go on from
@@ -298,7 +292,7 @@ bool inclined_branch(const Blade& blade, double slip, double ring_radius, const 
   const Number square = argument * argument;
   const Number bending = bending_of(load, argument, square);
   Number lean(points.lean);
-  InclinedTip<kWidth> tip(blade, slip, ring_radius, load);
+  InclinedTip<kWidth> tip(start, ring_radius);
   for (int i = 0; i < kMost; ++i) {
     if (!tip.template stand<true>(bending, lean, at)) return false;
     if (!((tip.e_by_lean * load.side).least() > 0.0)) return false;
@@ -316,9 +310,8 @@ bool inclined_branch(const Blade& blade, double slip, double ring_radius, const 
 }
 
 template <std::size_t kWidth>
-bool inclined_solved(const Contact& contact, const InclinedLoad& load, const Closeness& closeness,
-                     Interval& interval) {
-  return InclinedSweeps<kWidth>(contact, load, closeness, interval).solve();
+bool inclined_solved(const Machine& machine, const Closeness& closeness, Interval& interval) {
+  return InclinedSweeps<kWidth>(machine, closeness, interval).solve();
 }
 
 }  // namespace

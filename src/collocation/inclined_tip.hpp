@@ -157,10 +157,8 @@ class InclinedTip {
   InBlade place_by_bending, place_by_lean;
   Number h_by_bending, h_by_lean, e_by_bending, e_by_lean;
 
-  InclinedTip() = default;
-  /// `numbers` and `inclined` outlive it.
-  InclinedTip(const Blade& numbers, double slip, double ring_radius, const InclinedLoad& inclined)
-      : blade_(&numbers), load_(&inclined), slip_(slip), ring_radius_(ring_radius) {}
+  InclinedTip(const TipStart& tip, double ring_radius)
+      : blade_(tip.blade), load_(tip.load), slip_(tip.slip), ring_radius_(ring_radius) {}
 
   /// False where there is no such blade. The quadrature is chosen with the slopes, and kept.
   template <bool kSlopes>

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "blade/bending_table.hpp"
@@ -79,22 +80,22 @@ struct Blade {
   double ring_damping = 0.0;    ///< cr ωn [N per (m per unit τ)]
 };
 
-/// A leading blade on a machine.
-struct Contact {
-  const Machine* machine;
-  const Blade* blade;
-  double slip;            ///< s = ±1; 0: the tip is at rest
-  bool leans = false;     ///< the load is inclined (`inclined_load.hpp`)
-  bool straight = false;  ///< the blade does not bend: a column below its Euler load, or one under which only
-                          ///< a ring with dampers yields (MODEL 7.16)
-  bool skims = false;     ///< the tip stays on the ring under a share λ of its force (MODEL 4.9)
-};
-
 /// Of λ past 0 or 1: a tip that skims ends to so late that rounding does not lead it back.
 inline constexpr double kShareBeyond = 1e-9;
 
-/// A tip where an interval starts: what is named so in `TipInTime`.
+/// A tip in contact where an interval starts.
 struct TipStart {
+  int number = 0;  ///< of its blade
+  const Blade* blade = nullptr;
+  const InclinedLoad* load = nullptr;      ///< where it is inclined
+  std::array<double, 2> offset{1.0, 0.0};  ///< cosine and sine of its angle from the leading blade
+  double slip = 1.0;                       ///< s = ±1; 0: it is at rest
+  bool straight = false;                   ///< the blade does not bend: a column below its Euler load, or
+                                           ///< one under which only a ring with dampers yields (MODEL 7.16)
+  bool skims = false;                      ///< it stays on the ring under a share λ of its force (MODEL 4.9)
+  double short_of_fold = 0.0;  ///< share of δ in ∂h/∂p by which `firmness` is zero before the fold
+  double start_square = 0.0;   ///< p² of a further blade
+  // What is named so in `TipInTime`.
   double start_gap = 0.0;                        ///< g of the straight tip [m²]
   double start_gap_measure = 0.0;                ///< [m]
   double start_slip_velocity = 0.0;              ///< [m per unit τ]
@@ -123,22 +124,7 @@ struct TipInTime : TipStart {
   /// would bend it, that of Euler of a column, less F [N]. Of a tip that skims 1 − λ.
   AtNodes cone_left;
   AtNodes yielding;  ///< y of a ring with dampers under an elastic blade [m]
-};
-
-/// A further blade where an interval starts.
-struct FurtherBladeStart {
-  const Blade* blade = nullptr;
-  const InclinedLoad* load = nullptr;  ///< where it is inclined
-  std::array<double, 2> offset{};      ///< cosine and sine of its angle from the leading blade
-  double slip = 1.0;                   ///< s = ±1
-  bool straight = false;               ///< as in `Contact`
-  bool skims = false;                  ///< likewise
-  double start_square = 0.0;           ///< p²
-  double short_of_fold = 0.0;  ///< share of δ in ∂h/∂p by which `firmness` is zero before the fold
-};
-
-/// A further blade in contact. How far it is bent follows from where the shaft is.
-struct FurtherBlade : TipInTime, FurtherBladeStart {
+  // Of a further blade, whose bending follows from where the shaft is.
   AtNodes square;          ///< p²; F/kr of a rigid blade [m]: a first guess, then the solution. Smooth at a
                            ///< touch-down, unlike p
   bool lifts_off = false;  ///< it would be bent by less than nothing at a node, where some p² is left to it
@@ -172,7 +158,7 @@ struct IntervalStart {
 ///     (τ, p) = start + θ chord + w(θ) normal,
 /// where both vectors are the caller's. Every quantity is a polynomial of degree 8 through the start and the
 /// nodes. All of this is relative to the start, so that time keeps its digits.
-struct Interval : TipInTime, IntervalStart {
+struct Interval : IntervalStart {
   struct Direction {
     double time;      ///< τ
     double argument;  ///< p
@@ -192,8 +178,14 @@ struct Interval : TipInTime, IntervalStart {
   AtNodes angular_speed;     ///< φ' [rad per unit τ]
   AtNodes coefficients;      ///< magnitudes of Legendre's coefficients of z'' dτ/dθ [m per unit τ]
 
-  std::vector<FurtherBlade> further;
-  int sweeps = 0;  ///< that were made
+  std::vector<TipInTime> tips = std::vector<TipInTime>(1);  ///< in contact; the first leads
+  int sweeps = 0;                                           ///< that were made
+
+  [[nodiscard]] TipInTime& leader() { return tips.front(); }
+  [[nodiscard]] const TipInTime& leader() const { return tips.front(); }
+  [[nodiscard]] std::span<TipInTime> further() { return std::span(tips).subspan(1); }
+  [[nodiscard]] std::span<const TipInTime> further() const { return std::span(tips).subspan(1); }
+  [[nodiscard]] bool leans() const { return leader().load != nullptr; }  ///< the loads are inclined
 };
 
 /// How closely the equations are to be solved.
@@ -217,21 +209,18 @@ struct BranchPoints {
 /// Bounds of what changes within an interval that is solved, as the polynomials through the start and the
 /// nodes have it: none of them leaves the range of its Bernstein coefficients.
 struct Bounds {
-  double slip_velocity;  ///< least |v| of the leading blade: no slip reverses where it is positive [m per
-                         ///< unit τ]
-  double gap_measure;    ///< least g/Δ of the leading blade; the start is left out, where it may be 0 [m]
-  double argument;       ///< largest p of the leading blade
-  double shortening;     ///< largest δ/L of it [-]
-  double displacement;   ///< largest |z| [m]
-  double distance;       ///< largest |c|, of the shaft from the ring's centre [m]
-  /// Of a further blade.
-  struct OfFurther {
-    double slip_velocity, shortening;  ///< likewise
-    bool stays;                        ///< bent, and on its branch
+  double gap_measure;   ///< least g/Δ of the leading blade; the start is left out, where it may be 0 [m]
+  double argument;      ///< largest p of the leading blade
+  double displacement;  ///< largest |z| [m]
+  double distance;      ///< largest |c|, of the shaft from the ring's centre [m]
+  struct OfTip {
+    double slip_velocity;  ///< least |v|: its slip does not reverse where it is positive [m per unit τ]
+    double shortening;     ///< largest δ/L [-]
+    bool stays;            ///< bent, and on its branch; a leading blade always
 
-    friend bool operator==(const OfFurther&, const OfFurther&) = default;
+    friend bool operator==(const OfTip&, const OfTip&) = default;
   };
-  std::vector<OfFurther> further;
+  std::vector<OfTip> tips;
   // Of a blade under an inclined load, the end left out.
   double chart_left;  ///< least of `InclinedLoad::chart_left`
   double cone_left;   ///< least of `cone_left`, of tips at rest and of blades that stand straight
@@ -248,26 +237,24 @@ struct IntervalSolver {
   /// path; there follow the forces, accelerations, velocities and places, the last two as integrals of the
   /// polynomials through the nodes. Only what the force does to the place, and the place to h, is left to
   /// converge.
-  bool (*solve)(const Contact& contact, const Closeness& closeness, Interval& interval);
+  bool (*solve)(const Machine& machine, const Closeness& closeness, Interval& interval);
   /// The same for a blade under an inclined load.
-  bool (*solve_inclined)(const Contact& contact, const InclinedLoad& load, const Closeness& closeness,
-                         Interval& interval);
+  bool (*solve_inclined)(const Machine& machine, const Closeness& closeness, Interval& interval);
   /// The same for rigid blades, whose arc is a stretch of time: (p, w) = (p at the start, 0).
-  bool (*solve_rigid)(const Contact& contact, const contact::Friction& friction, const Closeness& closeness,
+  bool (*solve_rigid)(const Machine& machine, const contact::Friction& friction, const Closeness& closeness,
                       Interval& interval);
   /// Finds the equilibria of these blades but for h = 0. False where one of them has none that goes on from
   /// the unbent blade.
-  bool (*inclined_branch)(const Blade& blade, double slip, double ring_radius, const InclinedLoad& load,
-                          const contact::Pose& pose, double angular_speed, BranchPoints& points);
-  /// `bounds` has room for the further blades.
-  void (*bounds)(const Contact& contact, const Interval& interval, Bounds& bounds);
+  bool (*inclined_branch)(const TipStart& tip, double ring_radius, const contact::Pose& pose,
+                          double angular_speed, BranchPoints& points);
+  void (*bounds)(const Machine& machine, const Interval& interval, Bounds& bounds);
   /// Bound of the gap [m²] of another blade, straight, whose direction is that of the leading blade turned
   /// by the angle whose cosine and sine are given. The start is left out, where it may be 0.
-  double (*largest_gap)(const Contact& contact, const Interval& interval, const Blade& blade,
+  double (*largest_gap)(const Machine& machine, const Interval& interval, const Blade& blade,
                         const std::array<double, 2>& offset);
   /// Sets the places and velocities of a stretch to those of the interval up to θ, as a first guess. θ may be
   /// a little beyond 1, and both the same interval.
-  void (*read_stretch)(const Contact& contact, const Interval& interval, double fraction, Interval& stretch);
+  void (*read_stretch)(const Machine& machine, const Interval& interval, double fraction, Interval& stretch);
 };
 /// Those for this processor. All have the same bits: each has eight nodes, in parts of as many numbers as a
 /// register holds, and no fused operations.

@@ -16,54 +16,45 @@ namespace {
 template <std::size_t kWidth>
 class IntervalBounds {
  public:
-  IntervalBounds(const Contact& contact, const Interval& interval)
-      : contact_(contact), interval_(interval), nodes_(node_tables()) {}
+  IntervalBounds(const Machine& machine, const Interval& interval)
+      : machine_(machine), interval_(interval), nodes_(kNodeTables) {}
 
   void bounds(Bounds& result) const {
     const Interval& in = interval_;
-    result.slip_velocity = least_magnitude(in.start_slip_velocity, Number(in.slip_velocity));
-    result.gap_measure = later(in.start_gap_measure, Number(in.gap_measure)).least();
+    const TipInTime& leader = in.leader();
+    result.gap_measure = later(leader.start_gap_measure, Number(leader.gap_measure)).least();
     result.argument = largest(in.start_argument, Number(in.argument));
-    result.shortening = largest(in.start_shortening, Number(in.shortening));
     const double across = largest_magnitude(in.shaft.start[0], Number(in.shaft.x));
     result.displacement = root_of_squares(across, largest_magnitude(in.shaft.start[1], Number(in.shaft.y)));
     const Place start = start_from_ring();
     const Places nodes = from_ring();
-    const double from_ring = contact_.machine->ring.moves ? largest_magnitude(start.x, nodes.x) : across;
+    const double from_ring = machine_.ring.moves ? largest_magnitude(start.x, nodes.x) : across;
     result.distance = root_of_squares(from_ring, largest_magnitude(start.y, nodes.y));
     result.cone_left = std::numeric_limits<double>::infinity();
-    const auto hold = [&](bool is_held, const TipInTime& tip) {
-      if (is_held)
+    result.tips.resize(in.tips.size());
+    for (std::size_t k = 0; k < in.tips.size(); ++k) {
+      const TipInTime& tip = in.tips[k];
+      if (tip.slip == 0.0 || tip.straight || tip.skims)
         result.cone_left = std::min(result.cone_left, least_left(tip.start_cone_left, tip.cone_left));
-    };
-    hold(contact_.slip == 0.0 || contact_.straight || contact_.skims, in);
-    for (std::size_t k = 0; k < in.further.size(); ++k) {
-      const FurtherBlade& blade = in.further[k];
-      hold(blade.slip == 0.0 || blade.straight || blade.skims, blade);
-      Bounds::OfFurther& of_blade = result.further[k];
-      of_blade.slip_velocity = least_magnitude(blade.start_slip_velocity, Number(blade.slip_velocity));
-      const Number squares = later(blade.start_square, Number(blade.square));
-      of_blade.shortening = largest(blade.start_shortening, Number(blade.shortening));
-      const double left = blade.blade->held_beyond_ring && !blade.straight
-                              ? least_firmness(blade)
-                              : later(blade.start_gap_measure, Number(blade.gap_measure)).least();
-      of_blade.stays = !blade.lifts_off && squares.least() > 0.0 && left > 0.0;
+      Bounds::OfTip& of_tip = result.tips[k];
+      of_tip.slip_velocity = least_magnitude(tip.start_slip_velocity, Number(tip.slip_velocity));
+      of_tip.shortening = largest(tip.start_shortening, Number(tip.shortening));
+      of_tip.stays = k == 0 || stays(tip);
     }
-    if (contact_.leans) inclined_bounds(result);
+    if (in.leans()) inclined_bounds(result);
   }
 
-  /// Those of a blade under an inclined load besides.
+  /// Those of blades under an inclined load besides.
   void inclined_bounds(Bounds& result) const {
     const Interval& in = interval_;
-    result.chart_left = least_left(in.start_chart_left, in.chart_left);
-    for (std::size_t k = 0; k < in.further.size(); ++k) {
-      const FurtherBlade& tip = in.further[k];
-      Bounds::OfFurther& of_blade = result.further[k];
+    result.chart_left = least_left(in.leader().start_chart_left, in.leader().chart_left);
+    for (std::size_t k = 1; k < in.tips.size(); ++k) {
+      const TipInTime& tip = in.tips[k];
       // The chart of a slipping tip ends only where the lean is negative. What is left of it begins like a
       // root of the time.
       const bool in_chart = (tip.slip != 0.0 && least(tip.start_lean, Number(tip.lean)) > 0.0) ||
                             least(tip.start_chart_left, Number(tip.chart_left)) > 0.0;
-      of_blade.stays = of_blade.stays && in_chart && least_firmness(tip) > 0.0;
+      result.tips[k].stays = result.tips[k].stays && in_chart && least_firmness(tip) > 0.0;
     }
     const double slope = sum_of_products(nodes_.value_at_start, in.time_slope);
     result.time_slope = least_before_end(later(slope, Number(in.time_slope)));
@@ -98,13 +89,13 @@ class IntervalBounds {
   [[nodiscard]] Place start_from_ring() const {
     const Interval& in = interval_;
     return {in.shaft.start[0] - in.ring.start[0],
-            in.shaft.start[1] - in.ring.start[1] + contact_.machine->misalignment};
+            in.shaft.start[1] - in.ring.start[1] + machine_.misalignment};
   }
   Places from_ring() const {
     const Body& shaft = interval_.shaft;
     const Body& ring = interval_.ring;
-    const double misalignment = contact_.machine->misalignment;
-    if (!contact_.machine->ring.moves) return {Number(shaft.x), Number(shaft.y) + misalignment};
+    const double misalignment = machine_.misalignment;
+    if (!machine_.ring.moves) return {Number(shaft.x), Number(shaft.y) + misalignment};
     return {Number(shaft.x) - Number(ring.x), Number(shaft.y) - Number(ring.y) + misalignment};
   }
   /// Of the tip of a straight blade in the direction er (MODEL 2).
@@ -131,7 +122,14 @@ class IntervalBounds {
   double least(double start, const Number& at_nodes) const {
     return std::min(start, later(start, at_nodes).least());
   }
-  double least_firmness(const FurtherBlade& tip) const {
+  /// Whether a further blade stays bent, and on its branch.
+  bool stays(const TipInTime& tip) const {
+    const double left = tip.blade->held_beyond_ring && !tip.straight
+                            ? least_firmness(tip)
+                            : later(tip.start_gap_measure, Number(tip.gap_measure)).least();
+    return !tip.lifts_off && later(tip.start_square, Number(tip.square)).least() > 0.0 && left > 0.0;
+  }
+  double least_firmness(const TipInTime& tip) const {
     return least(sum_of_products(nodes_.value_at_start, tip.firmness), Number(tip.firmness));
   }
   /// Positive where it keeps the sign that it has at the start.
@@ -145,19 +143,19 @@ class IntervalBounds {
     return std::max(std::abs(start), magnitude(later(start, at_nodes)).largest());
   }
 
-  const Contact& contact_;
+  const Machine& machine_;
   const Interval& interval_;
   const NodeTables& nodes_;
 };
 
 template <std::size_t kWidth>
-void bounds_of(const Contact& contact, const Interval& interval, Bounds& bounds) {
-  IntervalBounds<kWidth>(contact, interval).bounds(bounds);
+void bounds_of(const Machine& machine, const Interval& interval, Bounds& bounds) {
+  IntervalBounds<kWidth>(machine, interval).bounds(bounds);
 }
 template <std::size_t kWidth>
-double largest_gap_of(const Contact& contact, const Interval& interval, const Blade& blade,
+double largest_gap_of(const Machine& machine, const Interval& interval, const Blade& blade,
                       const std::array<double, 2>& offset) {
-  return IntervalBounds<kWidth>(contact, interval).gap(blade, offset);
+  return IntervalBounds<kWidth>(machine, interval).gap(blade, offset);
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ double fraction_at(const Interval& interval, double elapsed) {
   const AtPlaces reached = at_places(0.0, interval.elapsed);
   std::size_t place = 1;
   while (reached[place] < elapsed) ++place;
-  const AtPlaces& at = node_tables().place;
+  const AtPlaces& at = kNodeTables.place;
   // Of the places around it the polynomial is close to a line.
   const double share = (elapsed - reached[place - 1]) / (reached[place] - reached[place - 1]);
   const auto late = [&](double fraction) {
@@ -138,7 +138,7 @@ double fraction_at(const Interval& interval, double elapsed) {
 
 integrate::Sample largest_of(const AtPlaces& values, double from, double to, double known) {
   const auto value = [&](double fraction) { return sum_of_products(basis_at(fraction), values); };
-  const AtPlaces& at = node_tables().place;
+  const AtPlaces& at = kNodeTables.place;
   std::array<integrate::Sample, kPlaces> samples{};
   std::size_t count = 0;
   const auto take = [&](double fraction, double there) { samples[count++] = {fraction, there}; };
@@ -153,7 +153,7 @@ integrate::Sample largest_of(const AtPlaces& values, double from, double to, dou
 }
 
 double crossing(const AtPlaces& values, std::size_t place) {
-  const AtPlaces& at = node_tables().place;
+  const AtPlaces& at = kNodeTables.place;
   const auto value = [&](double fraction) { return sum_of_products(basis_at(fraction), values); };
   if (values[place - 1] <= 0.0) {
     // It starts at zero, and rises from there.
@@ -172,7 +172,7 @@ Farthest farthest(const Interval& interval, double from, double to) {
   const auto take = [&](const Swing& there) {
     if (there.square > most.square) most = there;
   };
-  const AtNodes& node = node_tables().node;
+  const AtNodes& node = kNodeTables.node;
   for (std::size_t i = 0; i < kNodes && before.fraction < to; ++i) {
     if (node[i] <= from) continue;
     const Swing after =
@@ -197,7 +197,7 @@ std::optional<TipTop> top_of_tip(const Machine& machine, const Interval& interva
   for (std::size_t i = 1; i < kPlaces; ++i) {
     const double after = tip.at_place(i).rate;
     if (before > 0.0 && after <= 0.0) {
-      const AtPlaces& place = node_tables().place;
+      const AtPlaces& place = kNodeTables.place;
       const double fraction =
           integrate::root_between(rate_at, place[i - 1], place[i], before, after, kBitsOfTop);
       return TipTop{fraction, tip.at(fraction).gap};
@@ -220,7 +220,7 @@ TipCourse course_of_tip(const Machine& machine, const Interval& interval, const 
 }
 
 double largest_coefficient(const AtPlaces& values) {
-  const NodeTables& tables = node_tables();
+  const NodeTables& tables = kNodeTables;
   double largest = values[0];
   for (std::size_t k = 0; k < kNodes; ++k) {
     double coefficient = tables.bernstein_of_start[k] * values[0];

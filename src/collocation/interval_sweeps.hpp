@@ -32,28 +32,17 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
  public:
   using Number = Lanes<kWidth>;
 
-  Sweeps(const Contact& contact, const Closeness& closeness, Interval& interval)
-      : Base(contact, closeness, interval), leans_(contact.leans), further_(interval.further.size()) {
-    lead_.blade = contact.blade;
-    lead_.slip = contact.slip;
-    lead_.straight = contact.straight;
-    lead_.skims = contact.skims;
-    for (std::size_t k = 0; k < interval.further.size(); ++k) {
-      further_[k].blade = interval.further[k].blade;
-      further_[k].slip = interval.further[k].slip;
-      further_[k].straight = interval.further[k].straight;
-      further_[k].skims = interval.further[k].skims;
-      further_[k].square = Number(interval.further[k].square);
-      further_[k].yielding = interval.further[k].start_yielding;
-    }
-    lead_.yielding = interval.start_yielding;
+  Sweeps(const Machine& machine, const Closeness& closeness, Interval& interval)
+      : Base(machine, closeness, interval),
+        lead_(interval.leader()),
+        further_(interval.further().begin(), interval.further().end()) {
     if (!kPlain) this->take_time_rate();
   }
 
   bool solve() {
     // With several blades changes fall unevenly, and the slopes of one that is hardly bent change too fast to
     // be kept.
-    const bool keeps_slopes = interval_.further.empty() && !is_damped(*lead_.blade);
+    const bool keeps_slopes = further_.empty() && !is_damped(*lead_.blade);
     return this->converge(*this, kMostSweeps, keeps_slopes ? kFullSweeps : kMostSweeps);
   }
 
@@ -77,21 +66,24 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
 
   /// A blade in contact.
   struct Tip {
+    explicit Tip(TipInTime& tip)
+        : in_time(&tip), blade(tip.blade), slip(tip.slip), yielding(tip.start_yielding) {}
+
+    TipInTime* in_time;
     const Blade* blade;
-    double slip;                        ///< s = ±1
-    bool straight = false;              ///< only the ring yields, as under a rigid blade
-    bool skims = false;                 ///< it bears a share of its force
-    Number load;                        ///< F, all of it where the tip skims [N]
-    InBlade bent;                       ///< (δ, s Δ) [m]
-    InBlade place, rate;                ///< of the tip from the ring's centre [m], and by τ
-    Bend slope;                         ///< of load, δ and s Δ by p
-    Number argument_slope, time_slope;  ///< of h by p, and along the motion (MODEL 4.1)
-    Number yielding;                    ///< y of the ring under the tip, F/kr without dampers [m]
+    double slip;                                  ///< s = ±1
+    Number load;                                  ///< F, all of it where the tip skims [N]
+    InBlade bent;                                 ///< (δ, s Δ) [m]
+    InBlade place, rate;                          ///< of the tip from the ring's centre [m], and by τ
+    Bend slope;                                   ///< of load, δ and s Δ by p
+    Number argument_slope{0.0}, time_slope{0.0};  ///< of h by p, and along the motion (MODEL 4.1)
+    Number yielding;                              ///< y of the ring under the tip, F/kr without dampers [m]
   };
   /// A further one, of which h = 0 is solved for p².
   struct FurtherTip : Tip {
+    explicit FurtherTip(TipInTime& tip) : Tip(tip), square(tip.square) { tip.lifts_off = false; }
+
     Number square;
-    bool lifts_off = false;
   };
 
   /// The ring yields as the load is, or in its own time.
@@ -111,9 +103,9 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
 
   /// Pose of the blade (MODEL 2), and its residual of h = 0 (MODEL 4.1) with the slopes.
   template <bool kLight>
-  Number residual_of(Tip& tip, const TipStart& start, const Bend& bend, const Direction& er) const {
+  Number residual_of(Tip& tip, const Bend& bend, const Direction& er) const {
     const Blade& blade = *tip.blade;
-    const auto straight = straight_tip(start, blade, er);
+    const auto straight = straight_tip(*tip.in_time, er);
     tip.bent = {bend.shortening * blade.length, bend.deflection * (tip.slip * blade.length)};
     Number residual = contact::contact_equation(straight.gap, straight.place, tip.bent);
     tip.place = straight.place - tip.bent;
@@ -137,9 +129,8 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   /// Lets a ring with dampers yield, in the step in which a residual of h makes a blade bend more by
   /// `argument_by_residual` and time go on by `time_by_residual` times as much, and time by `time_step`
   /// besides, which the residual contains. Returns the residual in the ring that has yielded.
-  Number yield(Tip& tip, const TipStart& start, const Bend& bend, const Number& residual,
-               const Number& argument_by_residual, const Number& time_by_residual,
-               const Number& time_step) const {
+  Number yield(Tip& tip, const Bend& bend, const Number& residual, const Number& argument_by_residual,
+               const Number& time_by_residual, const Number& time_step) const {
     const Number by_yielding = (tip.yielding + machine_.ring_radius) * -2.0;  // ∂h/∂y
     const Number load_by_residual = tip.slope.load * argument_by_residual * tip.blade->load_unit;
     const auto at_nodes = [](const Number& number) {
@@ -148,8 +139,8 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
       return at;
     };
     const Number step(yielding_step(
-        *tip.blade, start.start_yielding, at_nodes(tip.yielding), at_nodes(bend.load * tip.blade->load_unit),
-        at_nodes(this->time_rate_),
+        *tip.blade, tip.in_time->start_yielding, at_nodes(tip.yielding),
+        at_nodes(bend.load * tip.blade->load_unit), at_nodes(this->time_rate_),
         {at_nodes(load_by_residual * residual), at_nodes(load_by_residual * by_yielding)},
         {at_nodes(time_by_residual * residual + time_step), at_nodes(time_by_residual * by_yielding)}));
     tip.yielding = tip.yielding + step;
@@ -182,22 +173,21 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   /// The same for a further blade, with a step of its own: one of Newton's for p², of which h is nearly
   /// linear where the blade is hardly bent.
   template <bool kLight>
-  Vector push_of_further(std::size_t k, const Direction& er_before, const Number& time_step) {
-    FurtherTip& tip = further_[k];
-    const std::array<double, 2>& offset = interval_.further[k].offset;
-    if (is_straight(tip)) return push_of_straight(interval_.further[k], tip, direction_at(er_, offset));
+  Vector push_of_further(FurtherTip& tip, const Direction& er_before, const Number& time_step) {
+    const std::array<double, 2>& offset = tip.in_time->offset;
+    if (is_straight(tip)) return push_of_straight(tip, direction_at(er_, offset));
     const Number argument = root(tip.square);
     const Bend bend = bend_of<kLight>(tip, argument);
-    Number residual = residual_of<kLight>(tip, interval_.further[k], bend, direction_at(er_before, offset)) +
-                      tip.time_slope * time_step;
+    Number residual =
+        residual_of<kLight>(tip, bend, direction_at(er_before, offset)) + tip.time_slope * time_step;
     if (is_damped(*tip.blade))
-      residual = yield(tip, interval_.further[k], bend, residual, Number(-1.0) / tip.argument_slope,
-                       Number(0.0), time_step);
+      residual = yield(tip, bend, residual, Number(-1.0) / tip.argument_slope, Number(0.0), time_step);
     const Number step = argument * -2.0 * (residual / tip.argument_slope);
-    tip.square = this->stepped(tip.square, step, tip.lifts_off);
+    tip.square = this->stepped(tip.square, step, tip.in_time->lifts_off);
     return push_of(tip, bend, root(tip.square) - argument, time_step, Base::offset_by(er_, offset));
   }
 
+  double sweep(bool light) { return light ? sweep<true>() : sweep<false>(); }
   /// Returns the largest change of a velocity [m per unit τ].
   ///
   /// A `light` sweep keeps the slopes of the sweep before, and turns its directions on: changes are small by
@@ -208,17 +198,17 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     if (!this->direction_holds_) this->take_direction();
     if (is_straight(lead_)) {
       this->largest_step_ = 0.0;
-      return move_by<kLight>(push_of_straight(in, lead_, er_), er_, Number(0.0));
+      return move_by<kLight>(push_of_straight(lead_, er_), er_, Number(0.0));
     }
     const Bend bend = bend_of<kLight>(lead_, this->chord_argument_ + deviation_ * in.normal.argument);
-    Number residual = residual_of<kLight>(lead_, in, bend, er_);
+    Number residual = residual_of<kLight>(lead_, bend, er_);
     if (!kLight) {
       per_residual_ =
           Number(-1.0) / (lead_.argument_slope * in.normal.argument + lead_.time_slope * in.normal.time);
     }
 
     if (is_damped(*lead_.blade))
-      residual = yield(lead_, in, bend, residual, per_residual_ * in.normal.argument,
+      residual = yield(lead_, bend, residual, per_residual_ * in.normal.argument,
                        per_residual_ * in.normal.time, Number(0.0));
     // One Newton step along the normal; what follows is taken at its end.
     const Number step = residual * per_residual_;
@@ -238,49 +228,50 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     const Tip* skimming = skims(lead_) ? &lead_ : nullptr;
     Vector full = push_of_lead;
     Direction er = er_;
-    for (std::size_t k = 0; k < interval_.further.size(); ++k) {
-      const Vector more = push_of_further<kLight>(k, er_before, time_step);
-      if (skims(further_[k])) {
-        skimming = &further_[k];
+    for (FurtherTip& further : further_) {
+      const Vector more = push_of_further<kLight>(further, er_before, time_step);
+      if (skims(further)) {
+        skimming = &further;
         full = more;
-        er = direction_at(er_, interval_.further[k].offset);
+        er = direction_at(er_, further.in_time->offset);
       } else {
         push = push + more;
       }
     }
     if (skimming == nullptr) return this->move(push);
-    share_ = share_on_ring(push, full, *skimming->blade, er);
+    share_ = share_on_ring(push, full, *skimming->in_time, er);
     return this->move(push + full * share_);
   }
 
-  [[nodiscard]] static bool skims(const Tip& tip) { return !kPlain && tip.skims; }
+  [[nodiscard]] static bool skims(const Tip& tip) { return !kPlain && tip.in_time->skims; }
   /// λ: that share of its full push keeps a tip on the ring, g'' = 0. The place p of the tip from the ring's
   /// centre has p·p'' + p'·p' = 0 there.
-  Number share_on_ring(const Vector& others, const Vector& full, const Blade& blade, const Direction& er) {
+  Number share_on_ring(const Vector& others, const Vector& full, const TipStart& tip, const Direction& er) {
+    const double reach = tip.blade->reach;
     this->accelerate(others);
     Vector acceleration = this->shaft_.acceleration;
     if (this->ring_has_mass()) acceleration = acceleration - this->acceleration_of_ring(others);
     const Number speed = this->angular_speed();
     const Vector across = Base::quarter_turned(er);
-    acceleration = acceleration + across * (this->angular_acceleration() * blade.reach) -
-                   er * (speed * speed * blade.reach);
-    const Vector velocity = this->seen_velocity() + across * (speed * blade.reach);
-    const Vector place = this->on_shaft(straight_tip(interval_, blade, er).place, er);
+    acceleration =
+        acceleration + across * (this->angular_acceleration() * reach) - er * (speed * speed * reach);
+    const Vector velocity = this->seen_velocity() + across * (speed * reach);
+    const Vector place = this->on_shaft(straight_tip(tip, er).place, er);
     const Number free = dot(place, acceleration) + velocity.x * velocity.x + velocity.y * velocity.y;
     return free * (-1.0 / (1.0 + this->ring_share())) / dot(place, full);
   }
 
-  [[nodiscard]] static bool is_straight(const Tip& tip) { return !kPlain && tip.straight; }
-  Vector push_of_straight(const TipStart& start, Tip& tip, const Direction& er) const {
+  [[nodiscard]] static bool is_straight(const Tip& tip) { return !kPlain && tip.in_time->straight; }
+  Vector push_of_straight(Tip& tip, const Direction& er) const {
     const Blade& blade = *tip.blade;
-    if (!is_damped(blade)) return push_by(tip, compress(tip, start, er), er);
-    return this->push_of_rigid(blade, this->rigid_tip_of(start, blade, er), Number(tip.slip * blade.friction),
+    if (!is_damped(blade)) return push_by(tip, compress(tip, er), er);
+    return this->push_of_rigid(blade, this->rigid_tip_of(*tip.in_time, er), Number(tip.slip * blade.friction),
                                er);
   }
   /// Load [EI/L²] of a straight column whose tip lies on the ring, h = 0 at Δ = 0.
-  Number compress(Tip& tip, const TipStart& start, const Direction& er) const {
+  Number compress(Tip& tip, const Direction& er) const {
     const Blade& blade = *tip.blade;
-    const auto straight = straight_tip(start, blade, er);
+    const auto straight = straight_tip(*tip.in_time, er);
     const Number linear = straight.place.along * blade.axial_unit + machine_.ring_radius * blade.yield_unit;
     const double square = blade.axial_unit * blade.axial_unit - blade.yield_unit * blade.yield_unit;
     const Number load = straight.gap / (linear + root(linear * linear - straight.gap * square));
@@ -289,20 +280,21 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     tip.yielding = load * blade.yield_unit;
     return load;
   }
-  void store_column(Tip tip, const Direction& er, TipInTime& stored) const {
+  void store_column(Tip tip, const Direction& er) const {
     const Blade& blade = *tip.blade;
-    const Number load = compress(tip, stored, er);
+    TipInTime& stored = *tip.in_time;
+    const Number load = compress(tip, er);
     slip_velocity_of(tip, er).store(stored.slip_velocity);
     (load * blade.load_unit).store(stored.normal_force);
     Number(0.0).store(stored.root_strain);
     (tip.bent.along * (1.0 / blade.length)).store(stored.shortening);
     (load * -blade.load_unit + blade.buckling_load).store(stored.cone_left);
   }
-  void store_straight(const Blade& blade, const Direction& er, TipInTime& stored) const {
-    const typename Base::RigidTip tip = this->rigid_tip_of(stored, blade, er);
+  void store_straight(const Direction& er, TipInTime& stored) const {
+    const typename Base::RigidTip tip = this->rigid_tip_of(stored, er);
     tip.yielding.store(stored.gap_measure);
     tip.slip_velocity.store(stored.slip_velocity);
-    (tip.yielding * blade.ring_stiffness).store(stored.normal_force);
+    (tip.yielding * stored.blade->ring_stiffness).store(stored.normal_force);
     Number(0.0).store(stored.root_strain);
     Number(0.0).store(stored.shortening);
     tip.depth.store(stored.yielding);
@@ -332,20 +324,21 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
            tip.place.across * tip.slope.deflection * short_of_fold;
   }
   /// With the root's moment, F Δ + μF (L − δ).
-  static void store_bend(const Tip& tip, TipInTime& stored) {
+  static void store_bend(const Tip& tip) {
     const Blade& blade = *tip.blade;
     const Number shortening = tip.bent.along * (1.0 / blade.length);
     const Number lever =
         tip.bent.across * (tip.slip / blade.length) + (Number(1.0) - shortening) * blade.friction;
-    (tip.load * lever * (blade.strain_unit / blade.load_unit)).store(stored.root_strain);
+    (tip.load * lever * (blade.strain_unit / blade.load_unit)).store(tip.in_time->root_strain);
   }
-  void store(const Tip& tip, const Direction& er, TipInTime& stored) const {
-    const Number gap = straight_tip(stored, *tip.blade, er).gap;
+  void store(const Tip& tip, const Direction& er) const {
+    TipInTime& stored = *tip.in_time;
+    const Number gap = straight_tip(stored, er).gap;
     gap.store(stored.gap);
     const bool is_column = tip.blade->buckling_load > 0.0;
     if (is_column) (gap * (0.5 / machine_.ring_radius)).store(stored.gap_measure);
-    if (is_straight(tip) && !is_damped(*tip.blade)) return store_column(tip, er, stored);
-    if (is_straight(tip)) return store_straight(*tip.blade, er, stored);
+    if (is_straight(tip) && !is_damped(*tip.blade)) return store_column(tip, er);
+    if (is_straight(tip)) return store_straight(er, stored);
     if (skims(tip)) {
       (share_ + kShareBeyond).store(stored.gap_measure);
       (share_ * -1.0 + (1.0 + kShareBeyond)).store(stored.cone_left);
@@ -355,27 +348,25 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     slip_velocity_of(tip, er).store(stored.slip_velocity);
     (skims(tip) ? tip.load * share_ : tip.load).store(stored.normal_force);
     (tip.bent.along * (1.0 / tip.blade->length)).store(stored.shortening);
-    if (leans_) store_bend(tip, stored);
+    if (stored.load != nullptr) store_bend(tip);
     if (is_damped(*tip.blade)) tip.yielding.store(stored.yielding);
   }
   void store() const {
-    Interval& in = interval_;
     this->store_motion();
-    store(lead_, er_, in);
-    for (std::size_t k = 0; k < in.further.size(); ++k) {
-      store(further_[k], direction_at(er_, in.further[k].offset), in.further[k]);
-      in.further[k].lifts_off = further_[k].lifts_off;
-      if (further_[k].blade->held_beyond_ring && !is_straight(further_[k]))
-        firmness_of(further_[k], in.further[k].short_of_fold).store(in.further[k].firmness);
-      if (is_straight(further_[k])) {
-        in.further[k].square = in.further[k].gap_measure;
+    store(lead_, er_);
+    for (const FurtherTip& further : further_) {
+      TipInTime& stored = *further.in_time;
+      store(further, direction_at(er_, stored.offset));
+      if (further.blade->held_beyond_ring && !is_straight(further))
+        firmness_of(further, stored.short_of_fold).store(stored.firmness);
+      if (is_straight(further)) {
+        stored.square = stored.gap_measure;
       } else {
-        further_[k].square.store(in.further[k].square);
+        further.square.store(stored.square);
       }
     }
   }
 
-  bool leans_;
   Tip lead_;
   std::vector<FurtherTip> further_;
   Number share_;         ///< λ of a tip that skims
@@ -384,17 +375,15 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
 
 /// `kPlainWidth`: for the paper's rotor, whose sweeps may gain more from many registers than from wide ones.
 template <std::size_t kWidth, std::size_t kPlainWidth = kWidth>
-bool solved(const Contact& contact, const Closeness& closeness, Interval& interval) {
-  const Machine& machine = *contact.machine;
-  const auto stands = [](const Blade& blade) {
-    return blade.yield_unit == 0.0 && blade.ring_damping == 0.0 && blade.axial_unit == 0.0;
+bool solved(const Machine& machine, const Closeness& closeness, Interval& interval) {
+  const auto is_plain = [](const TipStart& tip) {
+    const Blade& blade = *tip.blade;
+    return blade.yield_unit == 0.0 && blade.ring_damping == 0.0 && blade.axial_unit == 0.0 && !tip.skims;
   };
-  bool plain =
-      machine.is_plain() && stands(*contact.blade) && !contact.skims && !std::isfinite(closeness.step);
-  for (const FurtherBlade& further : interval.further)
-    plain = plain && stands(*further.blade) && !further.skims;
-  return plain ? solved_by<Sweeps<kPlainWidth, true>>(contact, closeness, interval)
-               : Sweeps<kWidth, false>(contact, closeness, interval).solve();
+  const bool plain =
+      machine.is_plain() && !std::isfinite(closeness.step) && std::ranges::all_of(interval.tips, is_plain);
+  return plain ? solved_by<Sweeps<kPlainWidth, true>>(machine, closeness, interval)
+               : Sweeps<kWidth, false>(machine, closeness, interval).solve();
 }
 
 }  // namespace

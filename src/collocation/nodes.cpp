@@ -128,18 +128,13 @@ NodeTables make_tables() {
 
 }  // namespace
 
-const NodeTables& node_tables() {
-  static const NodeTables kTables = make_tables();
-  return kTables;
-}
+const NodeTables kNodeTables = make_tables();
 
 AtPlaces basis_at(double fraction) {
-  const NodeTables& tables = node_tables();
-  return barycentric(fraction, tables.place, tables.weight);
+  return barycentric(fraction, kNodeTables.place, kNodeTables.weight);
 }
 AtNodes slope_basis_at(double fraction) {
-  const NodeTables& tables = node_tables();
-  return {barycentric(fraction, tables.node.value, tables.weight_among_nodes.value)};
+  return {barycentric(fraction, kNodeTables.node.value, kNodeTables.weight_among_nodes.value)};
 }
 
 }  // namespace rubatlas::collocation

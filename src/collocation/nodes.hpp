@@ -41,7 +41,7 @@ struct NodeTables {
   AtNodes weight_among_nodes;  ///< those of the nodes without the start
   AtNodes value_at_start;      ///< at θ = 0 of the polynomials of degree 7 that are 1 at one node
 };
-const NodeTables& node_tables();
+extern const NodeTables kNodeTables;
 
 /// Values at θ of the polynomials of degree 8 that are 1 at one place and 0 at the others.
 AtPlaces basis_at(double fraction);

@@ -11,7 +11,7 @@
 #include <span>
 
 #include "blade/bending_table.hpp"
-#include "collocation/further_blades.hpp"
+#include "collocation/blades_in_contact.hpp"
 
 namespace rubatlas::collocation {
 namespace {
@@ -64,9 +64,9 @@ void Predictor::begin(const Start& start) {
   ring_ = {.acceleration = {start.acceleration.ring.real(), start.acceleration.ring.imag()}};
   const double speed = start.angular_speed;
   const rotor::State state = rotor::from_ring(start.bodies);
-  const contact::Geometry geometry{start.blade->reach, start.ring_radius};
+  const contact::Geometry geometry{start.blade.blade->reach, start.ring_radius};
   lean_ = {start.bending.lean};
-  const double rate = contact::gap_rate(geometry, start.pose, speed) - start.ring_opens;
+  const double rate = contact::gap_rate(geometry, start.pose, speed) - start.blade.ring_opens;
   const double curvature = contact::gap_curvature(
       geometry, start.direction, start.pose, {state[0], state[1] + rotor_->misalignment},
       {state[2], state[3]}, start.acceleration.shaft - start.acceleration.ring, speed);
@@ -85,7 +85,7 @@ void Predictor::begin_under_load(const Start& start, double half) {
   constexpr double kShortestHalf = 1e-6;  // a contact that ends before is a part of its first interval
   time_unit_ = std::max(half, kShortestHalf);
   // Half of the period on the ring's spring.
-  if (const double stiffness = start.blade->ring_stiffness * closing_unit_; stiffness > 0.0)
+  if (const double stiffness = start.blade.blade->ring_stiffness * closing_unit_; stiffness > 0.0)
     time_unit_ = std::min(time_unit_, std::numbers::pi / std::sqrt(stiffness));
   duration_ = std::min(half, time_unit_);
   unit_length_ = 1.0;
@@ -118,7 +118,7 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
   rests_ = false;
   // The largest bending: the force takes away what the gap's rate has of energy, (dg/dτ)²/2, as the blade
   // follows the gap with ct as it is.
-  const Blade& blade = *start.blade;
+  const Blade& blade = *start.blade.blade;
   const double along = start.pose.radial + blade.reach;
   const double side = law_->side(start.touch) * start.pose.tangential;
   const double per_load = 2.0 * along * closing_unit_ * blade.load_unit;
@@ -160,12 +160,12 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
   // Near the touch-down g = dg/dτ τ = (g/Δ) Δ, with Δ ~ p².
   const double deflection = law_->deflection_per_square();
   constexpr double kSharpest = 3.0;
-  curvature_ =
-      -std::clamp(2.0 * start.gap_measure * deflection / (rate * time_unit_), 0.0, kSharpest / largest);
+  curvature_ = -std::clamp(2.0 * start.blade.start_gap_measure * deflection / (rate * time_unit_), 0.0,
+                           kSharpest / largest);
   // A tip that hardly moves outwards, but ever faster, bends its blade in proportion to the time: then g =
   // d²g/dτ² τ²/2.
   constexpr double kHardly = 1e-3;
-  const double of_square = start.gap_measure * deflection;
+  const double of_square = start.blade.start_gap_measure * deflection;
   if (curvature_of_gap > 0.0 && rate < kHardly * largest * std::sqrt(2.0 * curvature_of_gap * of_square)) {
     const double time = std::sqrt(2.0 * of_square / curvature_of_gap) / time_unit_;
     const double norm = length_of(time, 1.0);
@@ -182,7 +182,7 @@ void Predictor::guess(Interval& next) {
   const double length =
       std::min({length_, kLongest, kMostTurning / std::max(std::abs(curvature_), kStraight)});
   length_of_trial_ = length;
-  const AtNodes& node = node_tables().node;
+  const AtNodes& node = kNodeTables.node;
   const double half_turn = 0.5 * curvature_ * length;
   // Sine, over the angle, and cosine are short series: the chord may be any that is near.
   const double square = half_turn * half_turn;
@@ -212,7 +212,7 @@ void Predictor::guess(Interval& next) {
   }
   if (!leans_) return;
   const AtNodes elapsed = guessed_times(next);
-  for (std::size_t i = 0; i < kNodes; ++i) next.lean[i] = lean_.after(elapsed[i]);
+  for (std::size_t i = 0; i < kNodes; ++i) next.leader().lean[i] = lean_.after(elapsed[i]);
 }
 
 void Predictor::accepts(double error, const Interval* first) {
@@ -252,7 +252,7 @@ void Predictor::goes_on(const Interval& interval) {
     const double time = interval.time_slope.at_end();
     const double argument = interval.argument_slope.at_end();
     const double before = length_of(time / time_unit_, argument);
-    time_unit_ = unit_at_rest(time, argument, time * course_at_end(interval, interval.lean).rate);
+    time_unit_ = unit_at_rest(time, argument, time * course_at_end(interval, interval.leader().lean).rate);
     length_ *= length_of(time / time_unit_, argument) / before;
   }
   const std::array<Place, 3> last{place(kNodes - 3), place(kNodes - 2), place(kNodes - 1)};
@@ -271,7 +271,7 @@ void Predictor::goes_on(const Interval& interval) {
   ring_.take(interval.ring, time_between);
   curvature_ = curvature_after + (curvature_after - curvature_before) * after / (before + after);
   tangent_ = last[2].tangent;
-  if (leans_) lean_ = course_at_end(interval, interval.lean);
+  if (leans_) lean_ = course_at_end(interval, interval.leader().lean);
 }
 
 }  // namespace rubatlas::collocation

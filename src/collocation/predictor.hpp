@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "collocation/arc_law.hpp"
-#include "collocation/further_blades.hpp"
+#include "collocation/blades_in_contact.hpp"
 #include "collocation/interval.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
@@ -34,15 +34,13 @@ class Predictor {
   /// Where a blade takes the lead.
   struct Start {
     Touch touch;
-    const Blade* blade;
+    const BladeStart& blade;
     double ring_radius;    ///< R [m]
     double angular_speed;  ///< φ' [rad per unit τ]
     rotor::ShaftAndRing bodies;
     contact::Pose pose;                 ///< of the blade
     contact::BladeDirection direction;  ///< er
     Bending bending;
-    double gap_measure;  ///< g/Δ [m]
-    double ring_opens;   ///< `ArcLaw::Start::ring_opens`
     rotor::Acceleration acceleration;
   };
   void begin(const Start& start);
@@ -102,8 +100,8 @@ class Predictor {
     std::array<double, 2> acceleration{};
     std::array<double, 2> jerk{};
     void take(const Body& body, double time_between);
-  } shaft_, ring_;             ///< second and third ones there
-  FurtherStart::Course lean_;  ///< since the start of the next interval
+  } shaft_, ring_;  ///< second and third ones there
+  Course lean_;     ///< since the start of the next interval
 };
 
 }  // namespace rubatlas::collocation

@@ -51,29 +51,25 @@ class RigidLaw final : public ArcLaw {
     if (is_free_at_once(touch, at, speed)) return std::nullopt;
     return touch;
   }
-  Bending lead(const Touch& /*touch*/, bool /*alone*/) override { return {kArgument}; }
-  [[nodiscard]] Start start(const Touch& touch, const contact::Pose& at, double speed) const override {
+  Bending lead(const Touch& /*touch*/) override { return {kArgument}; }
+  [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override {
     const contact::TipForce there = force(touch, at, speed);
     const double load = there.normal * machine_->constants.force_unit;
     const double largest = contact::largest_at_rest(friction_);
-    Start start = starts(there, there.normal / law_->of(touch.blade).stiffness());
-    start.tip.start_cone_left = (largest * largest - touch.holding * touch.holding) * load * load;
+    BladeStart start = starts(touch, there, there.normal / law_->of(touch.blade).stiffness());
+    start.start_cone_left = (largest * largest - touch.holding * touch.holding) * load * load;
     return start;
   }
-  FurtherStart further(const Touch& touch, const contact::Pose& at, double speed) override {
-    const Start there = start(touch, at, speed);
-    return {.blade = touch.blade,
-            .slip = touch.slip,
-            .square = {there.tip.start_gap_measure},
-            .tip = there.tip,
-            .force = there.force};
+  void set_course(const Touch& /*touch*/, const contact::Pose& /*at*/, double /*speed*/,
+                  BladeStart& start) const override {
+    start.square = {start.start_gap_measure};
   }
-  [[nodiscard]] bool solve(const Contact& contact, const Closeness& closeness,
+  [[nodiscard]] bool solve(const Machine& machine, const Closeness& closeness,
                            Interval& interval) const override {
-    return solver_.solve_rigid(contact, friction_, closeness, interval) && resolves_friction(interval);
+    return solver_.solve_rigid(machine, friction_, closeness, interval) && resolves_friction(interval);
   }
-  [[nodiscard]] Touch touch(int blade, double slip, const Bending& /*bending*/) const override {
-    return {blade, slip, 0.0};
+  [[nodiscard]] Touch touch(const TipStart& tip, const Bending& /*bending*/) const override {
+    return {tip.number, tip.slip, 0.0};
   }
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override {
@@ -114,7 +110,7 @@ class RigidLaw final : public ArcLaw {
     const auto resolves_tip = [&](const TipInTime& tip) {
       return resolves(tip.start_slip_velocity, tip.slip_velocity);
     };
-    return resolves_tip(interval) && std::ranges::all_of(interval.further, resolves_tip);
+    return std::ranges::all_of(interval.tips, resolves_tip);
   }
 
   static constexpr double kArgument = 1.0;  ///< p: not 0, from where a blade would begin to bend

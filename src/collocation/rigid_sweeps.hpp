@@ -3,6 +3,7 @@
 /// sweep to where its spring balances the forces of all blades (`rotor/ring_balance.hpp`).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -28,9 +29,12 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
  public:
   using Number = Lanes<kWidth>;
 
-  RigidSweeps(const Contact& contact, const contact::Friction& friction, const Closeness& closeness,
+  RigidSweeps(const Machine& machine, const contact::Friction& friction, const Closeness& closeness,
               Interval& interval)
-      : Base(contact, closeness, interval), contact_(contact), friction_(friction) {
+      : Base(machine, closeness, interval),
+        friction_(friction),
+        leader_(interval.leader()),
+        rests_(std::ranges::count(interval.tips, 0.0, &TipStart::slip) > 0) {
     this->take_direction();
   }
 
@@ -45,26 +49,17 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   [[nodiscard]] static double largest_step_allowed() { return 1e-6; }
 
   using Tip = typename Base::RigidTip;
-  struct Touching {
-    const TipStart& start;
-    const Blade& blade;
-    double slip;  ///< s
-    Direction er;
-  };
   /// What it does to the shaft, as an acceleration.
-  Vector push_of(const Touching& at) const {
-    const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
-    return this->push_of_rigid(at.blade, tip, friction_.at(tip.slip_velocity, at.slip).coefficient, at.er);
+  Vector push_of(const TipStart& at, const Direction& er) const {
+    const Tip tip = rigid_tip_of(at, er);
+    return this->push_of_rigid(*at.blade, tip, friction_.at(tip.slip_velocity, at.slip).coefficient, er);
   }
 
-  /// Calls `use` with each blade in contact.
+  /// Calls `use` with each tip and the direction of its blade.
   template <class Use>
-  void each_blade(Use use) const {
-    use(Touching{interval_, *contact_.blade, contact_.slip, er_});
-    for (std::size_t k = 0; k < interval_.further.size(); ++k) {
-      const FurtherBlade& further = interval_.further[k];
-      use(Touching{further, *further.blade, further.slip, Base::direction_at(er_, further.offset)});
-    }
+  void each_tip(Use use) const {
+    use(leader_, er_);
+    for (TipInTime& further : interval_.further()) use(further, Base::direction_at(er_, further.offset));
   }
 
   /// Of a ring without mass.
@@ -84,11 +79,10 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   Balance weigh() const {
     const double spring = machine_.ring.spring;
     Balance sum{{spring, 0.0}, {0.0, spring}, ring_.place(interval_.ring) * -spring, {0.0, 0.0}};
-    each_blade([&](const Touching& at) {
-      const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
-      const Direction& er = at.er;
+    each_tip([&](const TipStart& at, const Direction& er) {
+      const Tip tip = rigid_tip_of(at, er);
       const double friction = at.slip * friction_.friction;
-      const double stiffness = at.blade.ring_stiffness;
+      const double stiffness = at.blade->ring_stiffness;
       const Vector normal = Base::on_shaft(tip.normal, er);
       const Number load = tip.yielding * stiffness;
       sum.excess = sum.excess + Vector{normal.x - normal.y * friction, normal.y + normal.x * friction} * load;
@@ -103,7 +97,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
       sum.stiffness_x = sum.stiffness_x + change_x;
       sum.stiffness_y = sum.stiffness_y + change_y;
       const Vector velocity =
-          shaft_.velocity + Base::quarter_turned(er) * (this->angular_speed() * at.blade.reach);
+          shaft_.velocity + Base::quarter_turned(er) * (this->angular_speed() * at.blade->reach);
       sum.carried = sum.carried + Vector{dot(change_x, velocity), dot(change_y, velocity)};
     });
     return sum;
@@ -123,15 +117,14 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     ring_.differentiate(interval_.ring, this->nodes_, this->time_rate_);
   }
 
-  template <bool kLight>
-  [[gnu::flatten]] double sweep() {  // as `solved_by` is
+  [[gnu::flatten]] double sweep(bool /*light*/) {  // as `solved_by` is
     if (this->ring_is_massless()) {
       place_ring();
       return this->move(ring_.place(interval_.ring) * (-machine_.ring.spring * machine_.force_unit));
     }
     Vector push{0.0, 0.0};
-    each_blade([&](const Touching& at) { push = push + push_of(at); });
-    if (count_at_rest() == 0) return this->move(push);
+    each_tip([&](const TipStart& at, const Direction& er) { push = push + push_of(at, er); });
+    if (!rests_) return this->move(push);
     this->accelerate(push);
     hold();
     return this->advance(push);
@@ -143,17 +136,16 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   void hold() {
     std::size_t count = 0;
     std::array<Vector, contact::kMostAtRest> tangent;
-    each_blade([&](const Touching& at) {
+    each_tip([&](const TipStart& at, const Direction& er) {
       if (at.slip != 0.0 || count == contact::kMostAtRest) return;
-      const Tip tip = rigid_tip_of(at.start, at.blade, at.er);
-      const Direction& er = at.er;
+      const Tip tip = rigid_tip_of(at, er);
+      const auto pose = this->pose_of(this->straight_tip(at, er), at.blade->reach, er);
       const Number speed = this->angular_speed();
       typename Base::InBlade acceleration = Base::in_blade(shaft_.acceleration, er);
       // The hub's own angular acceleration moves the tip across the blade.
-      acceleration.across = acceleration.across + this->angular_acceleration() * at.blade.reach;
-      pull_[count] =
-          contact::slip_acceleration(tip.normal, tip.distance, contact::tip_rate(tip.at, speed),
-                                     contact::tip_acceleration(tip.at, speed, acceleration), speed);
+      acceleration.across = acceleration.across + this->angular_acceleration() * at.blade->reach;
+      pull_[count] = contact::slip_acceleration(tip.normal, tip.distance, contact::tip_rate(pose, speed),
+                                                contact::tip_acceleration(pose, speed, acceleration), speed);
       tangent[count] = Base::quarter_turned(Base::on_shaft(tip.normal, er));
       ++count;
     });
@@ -167,49 +159,43 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     }
     for (std::size_t i = 0; i < count; ++i) shaft_.acceleration = shaft_.acceleration - tangent[i] * pull_[i];
   }
-  [[nodiscard]] std::size_t count_at_rest() const {
-    std::size_t count = contact_.slip == 0.0 ? 1 : 0;
-    for (const FurtherBlade& further : interval_.further) count += further.slip == 0.0 ? 1 : 0;
-    return count;
-  }
-
   void store() {
     if (this->ring_is_massless()) settle_ring();
     this->store_motion();
     std::size_t at_rest = 0;
-    store_tip(*contact_.blade, contact_.slip, er_, at_rest, interval_);
-    for (FurtherBlade& further : interval_.further) {
-      store_tip(*further.blade, further.slip, Base::direction_at(er_, further.offset), at_rest, further);
+    store_tip(er_, at_rest, leader_);
+    for (TipInTime& further : interval_.further()) {
+      store_tip(Base::direction_at(er_, further.offset), at_rest, further);
       further.square = further.gap_measure;
     }
   }
   /// `at_rest`: tips at rest before this one, in the order of `hold`.
-  void store_tip(const Blade& blade, double slip, const Direction& er, std::size_t& at_rest,
-                 TipInTime& kept) const {
-    const Tip tip = rigid_tip_of(kept, blade, er);
-    this->straight_tip(kept, blade, er).gap.store(kept.gap);
+  void store_tip(const Direction& er, std::size_t& at_rest, TipInTime& kept) const {
+    const Blade& blade = *kept.blade;
+    const Tip tip = rigid_tip_of(kept, er);
+    this->straight_tip(kept, er).gap.store(kept.gap);
     tip.yielding.store(kept.gap_measure);
     tip.slip_velocity.store(kept.slip_velocity);
     (tip.yielding * blade.ring_stiffness).store(kept.normal_force);
     Number(0.0).store(kept.root_strain);
-    if (slip != 0.0 || at_rest == contact::kMostAtRest) return;
+    if (kept.slip != 0.0 || at_rest == contact::kMostAtRest) return;
     const Number load = tip.yielding * (blade.ring_stiffness * machine_.force_unit);
     const Number largest = load * contact::largest_at_rest(friction_);
     (largest * largest - pull_[at_rest] * pull_[at_rest]).store(kept.cone_left);
     ++at_rest;
   }
 
-  const Contact& contact_;
   const contact::Friction& friction_;
+  TipInTime& leader_;
+  bool rests_;                                     ///< a tip is at rest
   std::array<Number, contact::kMostAtRest> pull_;  ///< q of tips at rest [m per unit τ²]
 };
 
 template <std::size_t kWidth>
-bool rigid_solved(const Contact& contact, const contact::Friction& friction, const Closeness& closeness,
+bool rigid_solved(const Machine& machine, const contact::Friction& friction, const Closeness& closeness,
                   Interval& interval) {
-  return contact.machine->is_plain()
-             ? solved_by<RigidSweeps<kWidth, true>>(contact, friction, closeness, interval)
-             : RigidSweeps<kWidth, false>(contact, friction, closeness, interval).solve();
+  return machine.is_plain() ? solved_by<RigidSweeps<kWidth, true>>(machine, friction, closeness, interval)
+                            : RigidSweeps<kWidth, false>(machine, friction, closeness, interval).solve();
 }
 
 }  // namespace

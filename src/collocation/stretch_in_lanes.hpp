@@ -13,9 +13,9 @@ namespace {
 
 /// `IntervalSolver::read_stretch`.
 template <std::size_t kWidth>
-void read_stretch(const Contact& contact, const Interval& interval, double fraction, Interval& stretch) {
+void read_stretch(const Machine& machine, const Interval& interval, double fraction, Interval& stretch) {
   using Number = Lanes<kWidth>;
-  const NodeTables& tables = node_tables();
+  const NodeTables& tables = kNodeTables;
   const Number node = Number(tables.node) * fraction;
   // Lagrange's polynomials in barycentric form. A node that is at a place of the interval is a little beside
   // it, so that the quotient of both sums is the value there.
@@ -43,12 +43,11 @@ void read_stretch(const Contact& contact, const Interval& interval, double fract
     read(from.start[3], from.vy, to.vy);
   };
   read_body(interval.shaft, stretch.shaft);
-  if (contact.machine->ring.moves) read_body(interval.ring, stretch.ring);
-  if (contact.leans) read(interval.start_lean, interval.lean, stretch.lean);
-  for (std::size_t k = 0; k < interval.further.size(); ++k) {
-    const FurtherBlade& from = interval.further[k];
-    read(from.start_square, from.square, stretch.further[k].square);
-    if (contact.leans) read(from.start_lean, from.lean, stretch.further[k].lean);
+  if (machine.ring.moves) read_body(interval.ring, stretch.ring);
+  for (std::size_t k = 0; k < interval.tips.size(); ++k) {
+    const TipInTime& from = interval.tips[k];
+    if (k > 0) read(from.start_square, from.square, stretch.tips[k].square);
+    if (interval.leans()) read(from.start_lean, from.lean, stretch.tips[k].lean);
   }
 }
 

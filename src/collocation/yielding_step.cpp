@@ -19,10 +19,10 @@ AtNodes yielding_step(const Blade& blade, double start, const AtNodes& yielding,
   const auto matrix = [](const std::array<AtNodes, kNodes>& columns) {
     return Eigen::Map<const Coupling>(columns.front().value.data());
   };
-  const auto integral = matrix(node_tables().integral);
+  const auto integral = matrix(kNodeTables.integral);
   const Vector rate = (vector(load) - blade.ring_stiffness * vector(yielding)) / blade.ring_damping;
   const Vector weight = vector(time_rate) / blade.ring_damping;
-  const Coupling of_time = integral * rate.matrix().asDiagonal() * matrix(node_tables().slope);
+  const Coupling of_time = integral * rate.matrix().asDiagonal() * matrix(kNodeTables.slope);
   const Vector stiffness = weight * (blade.ring_stiffness - vector(load_changes.slope));
   const Coupling whole = Coupling::Identity() + integral * stiffness.matrix().asDiagonal() -
                          of_time * vector(time_changes.slope).matrix().asDiagonal();

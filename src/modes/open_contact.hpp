@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "collocation/further_blades.hpp"
+#include "collocation/blades_in_contact.hpp"
 
 namespace rubatlas::modes {
 

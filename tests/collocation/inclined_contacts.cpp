@@ -195,51 +195,47 @@ TEST(InclinedContacts, HaveTheSameBitsOnEveryProcessor) {
   collocation::Blade blade = blade_at_ring();
   blade.length = 0.1;
   blade.load_unit = 206e9 * 0.01 * thickness * thickness * thickness / 12.0 / 0.01;
-  const collocation::Contact contact{&machine, &blade, 1.0, true};
   InclinedLoad load{true, contact::Friction::stribeck(0.3, 0.1, 0.03, 0.002)};
   blade.strain_unit = 0.005;
-  Interval first = interval_at_ring(machine.misalignment);
+  Interval first = interval_at_ring(machine.misalignment, blade);
   first.start_angular_speed = machine.speed_ratio;
   const double x = first.shaft.start[0];
   const double y_from_ring = first.shaft.start[1] + machine.misalignment;
   const double angle = std::atan(0.1) + std::asin((y_from_ring * first.blade[0] - x * first.blade[1]) / 0.11);
   load.scale = 2.0 * std::sin(0.5 * angle);
-  first.start_lean = std::sin(0.5 * angle);
-  first.lean.value.fill(first.start_lean);
+  TipInTime& leader = first.leader();
+  leader.load = &load;
+  leader.start_lean = std::sin(0.5 * angle);
+  leader.lean.value.fill(leader.start_lean);
   // A further blade in the same place, and just so bent.
-  first.further.resize(1);
-  FurtherBlade& further = first.further[0];
-  further.blade = &blade;
-  further.load = &load;
-  further.offset = {1.0, 0.0};
-  further.start_lean = first.start_lean;
-  further.lean.value.fill(first.start_lean);
-  for (std::size_t i = 0; i < kNodes; ++i) further.square[i] = 0.05 * node_tables().node[i];
+  first.tips.push_back(leader);
+  TipInTime& further = first.tips[1];
+  for (std::size_t i = 0; i < kNodes; ++i) further.square[i] = 0.05 * kNodeTables.node[i];
   Interval in_pairs = first;
   Interval here = first;
   const Closeness closeness{1e-12, false};
-  ASSERT_TRUE(solver_in_pairs().solve_inclined(contact, load, closeness, in_pairs));
-  ASSERT_TRUE(interval_solver().solve_inclined(contact, load, closeness, here));
+  ASSERT_TRUE(solver_in_pairs().solve_inclined(machine, closeness, in_pairs));
+  ASSERT_TRUE(interval_solver().solve_inclined(machine, closeness, here));
   EXPECT_GT(here.argument.at_end(), 0.2);
   EXPECT_EQ(in_pairs.sweeps, here.sweeps);
   const auto same = [](const AtNodes& a, const AtNodes& b) {
     return std::memcmp(a.value.data(), b.value.data(), sizeof a.value) == 0;
   };
   EXPECT_TRUE(same(in_pairs.shaft.vy, here.shaft.vy) && same(in_pairs.argument, here.argument) &&
-              same(in_pairs.lean, here.lean));
-  EXPECT_TRUE(same(in_pairs.gap_measure, here.gap_measure) &&
-              same(in_pairs.slip_velocity, here.slip_velocity) &&
-              same(in_pairs.normal_force, here.normal_force) && same(in_pairs.root_strain, here.root_strain));
-  EXPECT_TRUE(same(in_pairs.further[0].square, here.further[0].square) &&
-              same(in_pairs.further[0].lean, here.further[0].lean) &&
-              same(in_pairs.further[0].firmness, here.further[0].firmness));
+              same(in_pairs.leader().lean, here.leader().lean));
+  EXPECT_TRUE(same(in_pairs.leader().gap_measure, here.leader().gap_measure) &&
+              same(in_pairs.leader().slip_velocity, here.leader().slip_velocity) &&
+              same(in_pairs.leader().normal_force, here.leader().normal_force) &&
+              same(in_pairs.leader().root_strain, here.leader().root_strain));
+  EXPECT_TRUE(same(in_pairs.tips[1].square, here.tips[1].square) &&
+              same(in_pairs.tips[1].lean, here.tips[1].lean) &&
+              same(in_pairs.tips[1].firmness, here.tips[1].firmness));
   for (std::size_t i = 0; i < kNodes; ++i)
-    EXPECT_NEAR(here.further[0].square[i], here.argument[i] * here.argument[i], 1e-9) << i;
+    EXPECT_NEAR(here.tips[1].square[i], here.argument[i] * here.argument[i], 1e-9) << i;
   Bounds bounds_in_pairs{};
-  bounds_in_pairs.further.resize(1);
   Bounds bounds_here = bounds_in_pairs;
-  solver_in_pairs().bounds(contact, in_pairs, bounds_in_pairs);
-  interval_solver().bounds(contact, here, bounds_here);
+  solver_in_pairs().bounds(machine, in_pairs, bounds_in_pairs);
+  interval_solver().bounds(machine, here, bounds_here);
   EXPECT_EQ(bounds_in_pairs, bounds_here);
 }
 

@@ -29,7 +29,7 @@ Interval swing_with_top(const Course& course, double top, double curvature) {
   const auto vx = [&](double time) { return -2.0 * curvature * (time - top); };
   interval.shaft.start = {x(0.0), 0.0, vx(0.0), 0.0};
   for (std::size_t i = 0; i < kNodes; ++i) {
-    const double node = node_tables().node[i];
+    const double node = kNodeTables.node[i];
     interval.elapsed[i] = course.elapsed(node);
     interval.time_slope[i] = course.time_slope(node);
     interval.shaft.x[i] = x(interval.elapsed[i]);
@@ -75,8 +75,8 @@ TEST(IntervalSamples, TheLargestValueIsFoundWhereverItLies) {
     const double top = i / 100.0;
     AtPlaces values;
     for (std::size_t place = 0; place < kPlaces; ++place) {
-      const double away = node_tables().place[place] - top;
-      values[place] = 0.7 - away * away * (1.0 + 0.5 * node_tables().place[place]);
+      const double away = kNodeTables.place[place] - top;
+      values[place] = 0.7 - away * away * (1.0 + 0.5 * kNodeTables.place[place]);
     }
     for (const double from : {0.0, 0.1, 0.96}) {
       for (const double to : {1.0, 0.95, 0.15}) {
@@ -91,19 +91,18 @@ TEST(IntervalSamples, TheLargestValueIsFoundWhereverItLies) {
 
 TEST(IntervalSamples, AStretchStartsFromTheIntervalsPolynomials) {
   const collocation::Machine machine{};
-  const collocation::Contact contact{&machine, nullptr, 1.0};
   const Interval interval = swing_with_top({0.5}, 0.1, 2.0);
   const auto read_stretch = collocation::interval_solver().read_stretch;
   // Up to 1 the nodes of the stretch are those of the interval.
   for (const double fraction : {1e-3, 0.3, 0.77, 1.0, 1.0 + 1e-9}) {
     Interval stretch;
-    read_stretch(contact, interval, fraction, stretch);
+    read_stretch(machine, interval, fraction, stretch);
     Interval itself = interval;
-    read_stretch(contact, itself, fraction, itself);
+    read_stretch(machine, itself, fraction, itself);
     EXPECT_EQ(itself.shaft.x.value, stretch.shaft.x.value);
     EXPECT_EQ(itself.shaft.vx.value, stretch.shaft.vx.value);
     for (std::size_t i = 0; i < kNodes; ++i) {
-      const AtPlaces basis = basis_at(fraction * node_tables().node[i]);
+      const AtPlaces basis = basis_at(fraction * kNodeTables.node[i]);
       EXPECT_NEAR(stretch.shaft.x[i],
                   sum_of_products(basis, at_places(interval.shaft.start[0], interval.shaft.x)), 1e-15);
       EXPECT_NEAR(stretch.shaft.vx[i],

@@ -76,8 +76,9 @@ inline collocation::Blade blade_at_ring() {
 }
 /// The start and the first guess of an interval: a blade that points down, of a hub of 0.1 m in a ring of
 /// 0.11 m, and a shaft from which its tip just reaches the ring.
-inline collocation::Interval interval_at_ring(double misalignment) {
+inline collocation::Interval interval_at_ring(double misalignment, const collocation::Blade& blade) {
   collocation::Interval first{};
+  first.leader().blade = &blade;
   first.blade = {std::cos(-1.2), std::sin(-1.2)};
   const double x = 0.002;
   const double across = x * first.blade[0];
@@ -87,7 +88,7 @@ inline collocation::Interval interval_at_ring(double misalignment) {
   first.chord = {0.004, 0.4};
   first.normal = {-0.012, 0.12};
   for (std::size_t i = 0; i < collocation::kNodes; ++i) {
-    const double node = collocation::node_tables().node[i];
+    const double node = collocation::kNodeTables.node[i];
     first.deviation[i] = 0.1 * node * (1.0 - node);
   }
   return first;

@@ -15,7 +15,7 @@ using namespace collocation;
 
 /// Σ A_ij θ_j^k at node i, against θ_i^(k+1)/(k+1).
 double integral_of_power(std::size_t node, int power) {
-  const NodeTables& tables = node_tables();
+  const NodeTables& tables = kNodeTables;
   double sum = 0.0;
   for (std::size_t j = 0; j < kNodes; ++j) sum += tables.integral[j][node] * std::pow(tables.node[j], power);
   return sum;
@@ -24,7 +24,7 @@ double integral_of_power(std::size_t node, int power) {
 TEST(RadauNodes, IntegratePolynomialsOfDegreeSevenExactlyUpToEachNode) {
   for (std::size_t i = 0; i < kNodes; ++i) {
     for (int power = 0; power <= 7; ++power) {
-      const double exact = std::pow(node_tables().node[i], power + 1) / (power + 1);
+      const double exact = std::pow(kNodeTables.node[i], power + 1) / (power + 1);
       EXPECT_NEAR(integral_of_power(i, power), exact, 1e-15) << "node " << i << ", power " << power;
     }
   }
@@ -37,7 +37,7 @@ TEST(RadauNodes, IntegrateOverTheWholeIntervalUpToDegreeFourteenAndNoFurther) {
 }
 
 TEST(RadauNodes, SlopesAreThoseOfThePolynomialThroughTheStartAndTheNodes) {
-  const NodeTables& tables = node_tables();
+  const NodeTables& tables = kNodeTables;
   for (int power = 1; power <= 8; ++power) {
     for (std::size_t i = 0; i < kNodes; ++i) {
       double slope = 0.0;
@@ -48,7 +48,7 @@ TEST(RadauNodes, SlopesAreThoseOfThePolynomialThroughTheStartAndTheNodes) {
 }
 
 TEST(RadauNodes, BasesReproduceThePolynomialsOfTheirDegree) {
-  const NodeTables& tables = node_tables();
+  const NodeTables& tables = kNodeTables;
   for (const double at : {0.0, 1e-9, 0.1, tables.node[3], 0.5, 0.93, 1.0}) {
     const AtPlaces basis = basis_at(at);
     const AtNodes slopes = slope_basis_at(at);
@@ -67,27 +67,27 @@ TEST(RadauNodes, BasesReproduceThePolynomialsOfTheirDegree) {
 
 AtPlaces values_of(double (*function)(double)) {
   AtPlaces values{};
-  for (std::size_t i = 0; i < kPlaces; ++i) values[i] = function(node_tables().place[i]);
+  for (std::size_t i = 0; i < kPlaces; ++i) values[i] = function(kNodeTables.place[i]);
   return values;
 }
 
-Bounds bounds_of(const Interval& interval, double slip, double misalignment) {
+Bounds bounds_of(const Interval& interval, double misalignment) {
   const collocation::Machine machine{.speed_ratio = 0.0,
                                      .damping_ratio = 0.0,
                                      .misalignment = misalignment,
                                      .ring_radius = 1.0,
                                      .force_unit = 1.0};
   Bounds bounds{};
-  interval_solver().bounds({&machine, nullptr, slip}, interval, bounds);
+  interval_solver().bounds(machine, interval, bounds);
   return bounds;
 }
 
 Bounds bounds_of_gap_measure(double (*function)(double)) {
   Interval interval;
   const AtPlaces values = values_of(function);
-  interval.start_gap_measure = values[0];
-  std::copy(values.begin() + 1, values.end(), interval.gap_measure.value.begin());
-  return bounds_of(interval, 1.0, 0.0);
+  interval.leader().start_gap_measure = values[0];
+  std::copy(values.begin() + 1, values.end(), interval.leader().gap_measure.value.begin());
+  return bounds_of(interval, 0.0);
 }
 
 TEST(BoundsOfAnInterval, ArePositiveWhereThePolynomialIsAndNowhereElse) {
@@ -101,6 +101,7 @@ TEST(BoundsOfAnInterval, ArePositiveWhereThePolynomialIsAndNowhereElse) {
 
 TEST(BoundsOfAnInterval, HoldEveryQuantityBetweenTheNodes) {
   Interval interval;
+  TipInTime& tip = interval.leader();
   const auto fill = [](double& start, AtNodes& at, double (*function)(double)) {
     const AtPlaces values = values_of(function);
     start = values[0];
@@ -113,19 +114,19 @@ TEST(BoundsOfAnInterval, HoldEveryQuantityBetweenTheNodes) {
   const auto argument = [](double t) { return 1.0 + t * (0.9 - t); };
   fill(interval.shaft.start[0], interval.shaft.x, x);
   fill(interval.shaft.start[1], interval.shaft.y, y);
-  fill(interval.start_slip_velocity, interval.slip_velocity, slip_velocity);
+  fill(tip.start_slip_velocity, tip.slip_velocity, slip_velocity);
   fill(interval.start_argument, interval.argument, argument);
-  const Bounds bounds = bounds_of(interval, -1.0, kMisalignment);
+  const Bounds bounds = bounds_of(interval, kMisalignment);
   constexpr double kRounding = 1e-5;  // of the polynomials through the values of these functions
   for (double t = 0.0; t <= 1.0; t += 0.001) {
     EXPECT_LE(std::hypot(x(t), y(t)), bounds.displacement + kRounding);
     EXPECT_LE(std::hypot(x(t), y(t) + kMisalignment), bounds.distance + kRounding);
-    EXPECT_GE(-slip_velocity(t), bounds.slip_velocity - kRounding);
+    EXPECT_GE(-slip_velocity(t), bounds.tips[0].slip_velocity - kRounding);
     EXPECT_LE(argument(t), bounds.argument + kRounding);
   }
   // No looser than by a third.
   EXPECT_LT(bounds.argument, 1.21 * 1.33);
-  EXPECT_GT(bounds.slip_velocity, 0.0);
+  EXPECT_GT(bounds.tips[0].slip_velocity, 0.0);
 }
 
 }  // namespace

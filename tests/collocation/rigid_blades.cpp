@@ -237,7 +237,6 @@ void expect_same_bits(const collocation::Machine& machine, double damping,
   collocation::Blade blade = blade_at_ring();
   blade.ring_stiffness = 2000.0;
   blade.ring_damping = damping;
-  const collocation::Contact contact{&machine, &blade, 1.0};
   Interval first{};
   first.start_argument = 1.0;
   first.blade = {std::cos(-1.2), std::sin(-1.2)};
@@ -245,28 +244,28 @@ void expect_same_bits(const collocation::Machine& machine, double damping,
   first.shaft.start = {0.002, -0.01, 0.01, -0.03};
   first.chord = {0.3, 0.0};
   first.normal = {0.0, 1.0};
-  first.further.resize(1);
-  first.further[0].blade = &blade;
-  first.further[0].offset = {0.5, std::sqrt(0.75)};
+  first.tips.resize(2);
+  for (TipInTime& tip : first.tips) tip.blade = &blade;
+  first.tips[1].offset = {0.5, std::sqrt(0.75)};
   Interval in_pairs = first;
   Interval here = first;
   const Closeness closeness{1e-12, false};
-  ASSERT_TRUE(solver_in_pairs().solve_rigid(contact, friction, closeness, in_pairs));
-  ASSERT_TRUE(interval_solver().solve_rigid(contact, friction, closeness, here));
+  ASSERT_TRUE(solver_in_pairs().solve_rigid(machine, friction, closeness, in_pairs));
+  ASSERT_TRUE(interval_solver().solve_rigid(machine, friction, closeness, here));
   EXPECT_EQ(in_pairs.sweeps, here.sweeps);
   const auto same = [](const AtNodes& a, const AtNodes& b) {
     return std::memcmp(a.value.data(), b.value.data(), sizeof a.value) == 0;
   };
   EXPECT_TRUE(same(in_pairs.ring.vy, here.ring.vy) && same(in_pairs.ring.ax, here.ring.ax));
-  EXPECT_TRUE(same(in_pairs.shaft.vy, here.shaft.vy) && same(in_pairs.gap_measure, here.gap_measure) &&
-              same(in_pairs.slip_velocity, here.slip_velocity) &&
-              same(in_pairs.normal_force, here.normal_force) &&
-              same(in_pairs.further[0].square, here.further[0].square));
+  EXPECT_TRUE(same(in_pairs.shaft.vy, here.shaft.vy) &&
+              same(in_pairs.leader().gap_measure, here.leader().gap_measure) &&
+              same(in_pairs.leader().slip_velocity, here.leader().slip_velocity) &&
+              same(in_pairs.leader().normal_force, here.leader().normal_force) &&
+              same(in_pairs.tips[1].square, here.tips[1].square));
   Bounds bounds_in_pairs{};
-  bounds_in_pairs.further.resize(1);
   Bounds bounds_here = bounds_in_pairs;
-  solver_in_pairs().bounds(contact, in_pairs, bounds_in_pairs);
-  interval_solver().bounds(contact, here, bounds_here);
+  solver_in_pairs().bounds(machine, in_pairs, bounds_in_pairs);
+  interval_solver().bounds(machine, here, bounds_here);
   EXPECT_EQ(bounds_in_pairs, bounds_here);
 }
 TEST(RigidBlades, HaveTheSameBitsOnEveryProcessor) {

@@ -44,17 +44,19 @@ TEST(ContactArc, HasTheSameBitsOnEveryProcessor) {
                       .yield_unit = full ? 1e-4 : 0.0,
                       .first_shortening = full ? 0.01 : 0.0,
                       .first_yielding = full ? 0.02 : 0.0};
-    const collocation::Contact contact{&machine, &blade, 1.0};
-    Interval first = interval_at_ring(machine.misalignment);
+    Interval first = interval_at_ring(machine.misalignment, blade);
     first.forcing[0] = {1e-5, -2e-5};
     first.forcing[1] = {-1e-5, 1e-5};
     first.forcing[2] = {2e-5, 1e-5};
     first.ripple = {0.6, 0.8};
+    // A further blade in the same place, and just so bent.
+    first.tips.push_back(first.leader());
+    for (std::size_t i = 0; i < kNodes; ++i) first.tips[1].square[i] = 0.05 * kNodeTables.node[i];
     Interval in_pairs = first;
     Interval here = first;
     const Closeness closeness{1e-12, false};
-    ASSERT_TRUE(solver_in_pairs().solve(contact, closeness, in_pairs));
-    ASSERT_TRUE(interval_solver().solve(contact, closeness, here));
+    ASSERT_TRUE(solver_in_pairs().solve(machine, closeness, in_pairs));
+    ASSERT_TRUE(interval_solver().solve(machine, closeness, here));
     EXPECT_GT(here.argument.at_end(), 0.2);
     EXPECT_EQ(in_pairs.sweeps, here.sweeps);
     const auto same = [](const AtNodes& a, const AtNodes& b) {
@@ -66,17 +68,20 @@ TEST(ContactArc, HasTheSameBitsOnEveryProcessor) {
     EXPECT_TRUE(same_body(in_pairs.shaft, here.shaft) && same_body(in_pairs.ring, here.ring));
     EXPECT_TRUE(same(in_pairs.argument, here.argument) && same(in_pairs.elapsed, here.elapsed));
     EXPECT_TRUE(same(in_pairs.angular_speed, here.angular_speed));
-    EXPECT_TRUE(same(in_pairs.gap_measure, here.gap_measure) &&
-                same(in_pairs.slip_velocity, here.slip_velocity));
+    EXPECT_TRUE(same(in_pairs.leader().gap_measure, here.leader().gap_measure) &&
+                same(in_pairs.leader().slip_velocity, here.leader().slip_velocity));
     EXPECT_TRUE(same(in_pairs.coefficients, here.coefficients));
+    EXPECT_TRUE(same(in_pairs.tips[1].square, here.tips[1].square));
+    for (std::size_t i = 0; i < kNodes; ++i)
+      EXPECT_NEAR(here.tips[1].square[i], here.argument[i] * here.argument[i], 1e-9) << i;
     Bounds of_pairs{};
     Bounds of_here{};
-    solver_in_pairs().bounds(contact, in_pairs, of_pairs);
-    interval_solver().bounds(contact, here, of_here);
+    solver_in_pairs().bounds(machine, in_pairs, of_pairs);
+    interval_solver().bounds(machine, here, of_here);
     EXPECT_EQ(of_pairs, of_here);
     const std::array<double, 2> other{-0.5, 0.866};
-    EXPECT_EQ(solver_in_pairs().largest_gap(contact, in_pairs, blade, other),
-              interval_solver().largest_gap(contact, here, blade, other));
+    EXPECT_EQ(solver_in_pairs().largest_gap(machine, in_pairs, blade, other),
+              interval_solver().largest_gap(machine, here, blade, other));
   }
 }
 

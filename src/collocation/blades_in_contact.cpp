@@ -1,4 +1,4 @@
-#include "collocation/further_blades.hpp"
+#include "collocation/blades_in_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@ double deflection_per_square(const contact::ElasticaContact& law) {
   return law.length() * law.curve().at(bending).deflection / (kUnbent * kUnbent);
 }
 
-FurtherStart::Course square_of_bent(const contact::ElasticaContact& law, const contact::Pose& pose,
-                                    const Touch& touch, double angular_speed, double ring_opens) {
+Course square_of_bent(const contact::ElasticaContact& law, const contact::Pose& pose, const Touch& touch,
+                      double angular_speed, double ring_opens) {
   const blade::BendingTable& table = law.curve().over_asinh();
   if (touch.bending > 0.0) {
     const auto there = law.constraint(pose, touch.slip, touch.bending, angular_speed);
@@ -27,20 +27,7 @@ FurtherStart::Course square_of_bent(const contact::ElasticaContact& law, const c
                    (law.gap_per_deflection(pose, touch.slip, 0.0) * deflection_per_square(law))};
 }
 
-TipStart start_after(const TipInTime& tip) {
-  return {.start_gap = tip.gap.at_end(),
-          .start_gap_measure = tip.gap_measure.at_end(),
-          .start_slip_velocity = tip.slip_velocity.at_end(),
-          .start_force = tip.normal_force.at_end(),
-          .start_strain = tip.root_strain.at_end(),
-          .start_lean = tip.lean.at_end(),
-          .start_shortening = tip.shortening.at_end(),
-          .start_chart_left = tip.chart_left.at_end(),
-          .start_cone_left = tip.cone_left.at_end(),
-          .start_yielding = tip.yielding.at_end()};
-}
-
-FurtherStart::Course course_at_end(const Interval& made, const AtNodes& nodes) {
+Course course_at_end(const Interval& made, const AtNodes& nodes) {
   constexpr std::size_t kLast = kNodes - 1;
   const auto slope = [&](std::size_t node) {
     return (nodes[node + 1] - nodes[node]) / (made.elapsed[node + 1] - made.elapsed[node]);
@@ -52,10 +39,21 @@ FurtherStart::Course course_at_end(const Interval& made, const AtNodes& nodes) {
           half_curvature};
 }
 
-void go_on(const Interval& made, const FurtherBlade& blade, FurtherStart& start) {
-  start.square = course_at_end(made, blade.square);
-  start.tip = start_after(blade);
-  if (start.load != nullptr) start.lean = course_at_end(made, blade.lean);
+void go_on(const Interval& made, const TipInTime& tip, bool further, BladeStart& start) {
+  start.start_gap = tip.gap.at_end();
+  start.start_gap_measure = tip.gap_measure.at_end();
+  start.start_slip_velocity = tip.slip_velocity.at_end();
+  start.start_force = tip.normal_force.at_end();
+  start.start_strain = tip.root_strain.at_end();
+  start.start_lean = tip.lean.at_end();
+  start.start_shortening = tip.shortening.at_end();
+  start.start_chart_left = tip.chart_left.at_end();
+  start.start_cone_left = tip.cone_left.at_end();
+  start.start_yielding = tip.yielding.at_end();
+  if (!further) return;
+  start.square = course_at_end(made, tip.square);
+  start.start_square = start.square.value;
+  if (start.load != nullptr) start.lean = course_at_end(made, tip.lean);
 }
 
 namespace {
@@ -78,30 +76,22 @@ double square_of_deflection(const blade::BendingTable& table, double square) {
 
 AtNodes guessed_times(const Interval& next) {
   AtNodes elapsed;
-  const AtNodes& node = node_tables().node;
+  const AtNodes& node = kNodeTables.node;
   for (std::size_t i = 0; i < kNodes; ++i)
     elapsed[i] = node[i] * next.chord.time + next.deviation[i] * next.normal.time;
   return elapsed;
 }
 
-void guess(const FurtherStart& start, const AtNodes& elapsed, FurtherBlade& blade) {
-  static_cast<TipStart&>(blade) = start.tip;
-  blade.load = start.load;
-  blade.offset = start.offset;
-  blade.slip = start.slip;
-  blade.straight = start.straight;
-  blade.skims = start.skims;
-  blade.start_square = start.square.value;
+void guess(const BladeStart& start, const AtNodes& elapsed, TipInTime& tip) {
   constexpr double kLeast = 1e-24;      // p²
   constexpr double kLeastShare = 0.01;  // of that at the start
   for (std::size_t i = 0; i < kNodes; ++i)
-    blade.square[i] = std::max({start.square.after(elapsed[i]), kLeastShare * start.square.value, kLeast});
-  if (start.load == nullptr) {
-    if (start.square.value > 0.0 || blade.blade->table == nullptr) return;
-    for (double& square : blade.square.value) square = square_of_deflection(*blade.blade->table, square);
-    return;
+    tip.square[i] = std::max({start.square.after(elapsed[i]), kLeastShare * start.start_square, kLeast});
+  if (start.load != nullptr) {
+    for (std::size_t i = 0; i < kNodes; ++i) tip.lean[i] = start.lean.after(elapsed[i]);
+  } else if (!(start.start_square > 0.0) && start.blade->table != nullptr) {
+    for (double& square : tip.square.value) square = square_of_deflection(*start.blade->table, square);
   }
-  for (std::size_t i = 0; i < kNodes; ++i) blade.lean[i] = start.lean.after(elapsed[i]);
 }
 
 }  // namespace rubatlas::collocation

@@ -1,0 +1,75 @@
+/// Blades in contact: where they stand between two intervals, and the first guess of what those do in the
+/// next that do not lead.
+#pragma once
+
+#include <array>
+
+#include "blade/inclined_elastica.hpp"
+#include "collocation/interval.hpp"
+#include "contact/elastica_contact.hpp"
+#include "rotor/bodies.hpp"
+#include "rotor/constants.hpp"
+
+namespace rubatlas::collocation {
+
+/// Cosine and sine of the angle from one blade to another.
+inline std::array<double, 2> offset_between(const contact::BladeDirection& from,
+                                            const contact::BladeDirection& to) {
+  return {to.cosine * from.cosine + to.sine * from.sine, to.sine * from.cosine - to.cosine * from.sine};
+}
+
+/// A blade that touches the ring.
+struct Touch {
+  int blade;
+  double slip;             ///< s = ±1
+  double bending;          ///< u of a blade under an axial load; 0: it touches down
+  blade::Bend bend{};      ///< κ and φ of a blade under an inclined load; φ = 0: it touches down
+  double holding = 0.0;    ///< c of a rigid tip at rest
+  double yielding = 0.0;   ///< y of a ring with dampers under the tip [m]
+  bool straight = false;   ///< as in `TipStart`
+  bool skims = false;      ///< it stays on the ring under a share of its force (MODEL 4.9)
+  double share = 1.0;      ///< λ of such a tip
+  bool just_bent = false;  ///< the load of a ring with dampers has, from u = 0 at once
+
+  [[nodiscard]] bool touches_down() const { return bending == 0.0 && bend.amplitude == 0.0 && !straight; }
+};
+
+/// How a quantity goes on in τ.
+struct Course {
+  double value = 0.0;
+  double rate = 0.0;
+  double half_curvature = 0.0;  ///< half of its second derivative
+
+  [[nodiscard]] double after(double elapsed) const {
+    return value + elapsed * (rate + elapsed * half_curvature);
+  }
+};
+
+/// One of them where the next interval starts.
+struct BladeStart : TipStart {
+  // Where the contact, or its leader, is new.
+  contact::TipForce force{};
+  double ring_opens = 0.0;  ///< d(R + y)²/dτ of a ring with dampers [m² per unit τ]
+  // Of a further blade. p² is smooth in time where p starts from 0.
+  Course square{};  ///< p²
+  Course lean{};    ///< l of a blade under an inclined load
+};
+
+/// Δ/p² [m] of a blade that is hardly bent.
+double deflection_per_square(const contact::ElasticaContact& law);
+
+/// p² of a blade under an axial load, as the motion has it where its contact, or its leader, is new.
+/// `ring_opens`: as in `BladeStart`.
+Course square_of_bent(const contact::ElasticaContact& law, const contact::Pose& pose, const Touch& touch,
+                      double angular_speed, double ring_opens);
+/// How a quantity goes on from the end of an interval, as the last three nodes have it.
+Course course_at_end(const Interval& made, const AtNodes& nodes);
+/// A blade there, from the end of the interval. `further`: it does not lead.
+void go_on(const Interval& made, const TipInTime& tip, bool further, BladeStart& start);
+
+/// τ since the start of an interval, as its arc has been guessed.
+AtNodes guessed_times(const Interval& next);
+/// First guess of a further blade where that of the times is known.
+void guess(const BladeStart& start, const AtNodes& elapsed, TipInTime& tip);
+
+}  // namespace rubatlas::collocation
