@@ -71,13 +71,13 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
 
     TipInTime* in_time;
     const Blade* blade;
-    double slip;                                  ///< s = ±1
-    Number load;                                  ///< F, all of it where the tip skims [N]
-    InBlade bent;                                 ///< (δ, s Δ) [m]
-    InBlade place, rate;                          ///< of the tip from the ring's centre [m], and by τ
-    Bend slope;                                   ///< of load, δ and s Δ by p
-    Number argument_slope{0.0}, time_slope{0.0};  ///< of h by p, and along the motion (MODEL 4.1)
-    Number yielding;                              ///< y of the ring under the tip, F/kr without dampers [m]
+    double slip;                        ///< s = ±1
+    Number load;                        ///< F, all of it where the tip skims [N]
+    InBlade bent;                       ///< (δ, s Δ) [m]
+    InBlade place, rate;                ///< of the tip from the ring's centre [m], and by τ
+    Bend slope;                         ///< of load, δ and s Δ by p
+    Number argument_slope, time_slope;  ///< of h by p, and along the motion (MODEL 4.1)
+    Number yielding;                    ///< y of the ring under the tip, F/kr without dampers [m]
   };
   /// A further one, of which h = 0 is solved for p².
   struct FurtherTip : Tip {
@@ -178,8 +178,9 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     if (is_straight(tip)) return push_of_straight(tip, direction_at(er_, offset));
     const Number argument = root(tip.square);
     const Bend bend = bend_of<kLight>(tip, argument);
-    Number residual =
-        residual_of<kLight>(tip, bend, direction_at(er_before, offset)) + tip.time_slope * time_step;
+    // Its slope along the motion is of this sweep.
+    const Number before = residual_of<kLight>(tip, bend, direction_at(er_before, offset));
+    Number residual = before + tip.time_slope * time_step;
     if (is_damped(*tip.blade))
       residual = yield(tip, bend, residual, Number(-1.0) / tip.argument_slope, Number(0.0), time_step);
     const Number step = argument * -2.0 * (residual / tip.argument_slope);
