@@ -75,21 +75,19 @@ double EarlierContacts::distance(const Beginning& a, const Beginning& b, double 
                    std::abs(a.angular_speed - b.angular_speed)});
 }
 
-/// The least difference of places and velocities across the blade, of so many that are kept.
-double EarlierContacts::least_apart(const Beginning& beginning, std::size_t begin) const {
-  const auto first = static_cast<Eigen::Index>(begin);
-  const auto places = across_.segment<kAtOnce>(first) - beginning.shaft[1];
-  const auto velocities = velocity_across_.segment<kAtOnce>(first) - beginning.shaft[3];
-  return places.abs().max(velocities.abs()).minCoeff();
-}
-
 EarlierContacts::Found EarlierContacts::find(const Beginning& beginning) {
   std::size_t nearest = 0;
   double least = kAlike;
   const std::size_t count = contacts_.size();
   for (std::size_t begin = 0; begin < count; begin += kAtOnce) {
-    if (!(least_apart(beginning, begin) < least * clearance_)) continue;  // mostly
+    // Differences of places and velocities across the blade, of so many at once.
+    const auto first = static_cast<Eigen::Index>(begin);
+    const auto places = across_.segment<kAtOnce>(first) - beginning.shaft[1];
+    const auto velocities = velocity_across_.segment<kAtOnce>(first) - beginning.shaft[3];
+    const Eigen::Array<double, kAtOnce, 1> apart = places.abs().max(velocities.abs());
+    if (!(apart.minCoeff() < least * clearance_)) continue;  // mostly
     for (std::size_t i = begin; i < std::min(begin + kAtOnce, count); ++i) {
+      if (!(apart[static_cast<Eigen::Index>(i - begin)] < least * clearance_)) continue;
       const double there = distance(beginning, beginnings_[i], least);
       if (there < least) {
         least = there;

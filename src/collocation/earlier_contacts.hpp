@@ -60,8 +60,6 @@ class EarlierContacts {
   /// Infinite where it is not below `least`.
   [[nodiscard]] double distance(const Beginning& a, const Beginning& b, double least) const;
 
-  [[nodiscard]] double least_apart(const Beginning& beginning, std::size_t begin) const;
-
   static constexpr std::size_t kKept = 64;
   static constexpr std::size_t kAtOnce = 8;  ///< are compared
   bool ring_moves_;

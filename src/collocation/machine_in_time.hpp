@@ -26,9 +26,12 @@ class MachineInTime {
   struct Term {
     double amplitude;  ///< [m per unit τ²]
     double phase;      ///< γ [rad]
+    std::complex<double> at_zero = std::polar(amplitude, phase);
   };
   [[nodiscard]] std::complex<double> term(std::size_t number, double time) const {
-    return std::polar(terms_[number].amplitude, numbers_.frequency[number] * time + terms_[number].phase);
+    const auto& [amplitude, phase, at_zero] = terms_[number];
+    const double frequency = numbers_.frequency[number];
+    return frequency == 0.0 ? at_zero : std::polar(amplitude, frequency * time + phase);
   }
 
   const rotor::BladeSet* blades_;

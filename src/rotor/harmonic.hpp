@@ -75,6 +75,9 @@ class Harmonic {
   /// t e^{λt} (e^w − 1)/w with w = (iΩ − λ) t, which passes smoothly through the secular growth at w = 0.
   [[nodiscard]] Response from_rest(double start, double elapsed, const rotor::FreeMotion& free,
                                    const rotor::FreeMotion::Kernel& kernel) const {
+    if (frequency_ == 0.0)
+      return {*steady_at_zero_ * (1.0 - kernel.cosine - free.damping_ratio() * kernel.sine),
+              at_zero_ * kernel.sine};
     constexpr Complex i(0.0, 1.0);
     const Complex at_start = turned(start);
     const Complex unit = at_zero_ * at_start;
