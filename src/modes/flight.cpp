@@ -62,7 +62,6 @@ bool Flight::resolves(double time) const {
   return supported_ == nullptr || supported_->support.resolves(time);
 }
 
-/// Of |z|, and of |z'| or not.
 double Flight::shaft_bound(double time, const rotor::State& state, double horizon, bool of_velocity) const {
   if (supported_ != nullptr) return supported_->bounds.amplitude_bound(time, state.matrix(), horizon);
   double result = std::sqrt(state.square().sum());
@@ -121,14 +120,9 @@ std::int64_t Flight::price_of_state() const {
   return kMatrix + kTerm * static_cast<std::int64_t>(supported_->support.terms().size());
 }
 
-StateRow& Flight::row_of(std::optional<StateRow>& row, double spacing) const {
-  if (!row || row->spacing() != spacing) row.emplace(*machine_, spacing);
-  return *row;
-}
-
 void Flight::places(const trajectory::SampleTimes& times, int first, std::span<double> x,
                     std::span<double> y) const {
-  StateRow& row = row_of(sample_row_, times.spacing());
+  StateRow& row = row_of(times.spacing());
   int number = first;
   rotor::State at = shaft(times[number]);
   x[0] = at[0];
@@ -147,7 +141,7 @@ void Flight::places(const trajectory::SampleTimes& times, int first, std::span<d
 
 double Flight::largest_displacement(double begin, double end, double known) const {
   const double spacing = trajectory::spacing_of_distances(machine_->constants.speed_ratio);
-  StateRow& row = row_of(distance_row_, spacing);
+  StateRow& row = row_of(spacing);
   double largest = known * known;
   const auto take = [&](const rotor::State& there) {
     largest = std::max(largest, there[0] * there[0] + there[1] * there[1]);
@@ -157,7 +151,7 @@ double Flight::largest_displacement(double begin, double end, double known) cons
   double rate = distance_rate(at);
   take(at);
   while (time < end) {
-    const double bound = displacement_bound(time, at, end - time);
+    const double bound = shaft_bound(time, at, end - time, false);
     if (!(bound * bound > largest)) break;
     row.start(time, at);
     const double row_begin = time;

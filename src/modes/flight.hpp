@@ -4,7 +4,7 @@
 
 #include <complex>
 #include <cstdint>
-#include <optional>
+#include <map>
 #include <span>
 
 #include "modes/flight_row.hpp"
@@ -44,6 +44,7 @@ class Flight {
   /// Takes off at time τ of the revolution. A ring that is no body is at rest in its place.
   void start(double time, const rotor::ShaftAndRing& bodies);
 
+  [[nodiscard]] const rotor::Machine& machine() const { return *machine_; }
   [[nodiscard]] double start_time() const { return start_; }
   [[nodiscard]] const rotor::ShaftAndRing& at_start() const { return at_start_; }
   [[nodiscard]] rotor::ShaftAndRing state(double time) const;
@@ -56,16 +57,13 @@ class Flight {
   /// Bounds from a state of this flight over the time `horizon` that follows, which may be infinite.
   ///
   /// On an isotropic shaft damping only reduces (|z|² + |z'|²)^½, so that it grows by |forcing| per unit of
-  /// time at most; and that of the distance to the steady response does not grow at all.
+  /// time at most; and that of the distance to the steady response does not grow at all. `of_velocity`: |z'|
+  /// is bounded, too, not |z| alone.
   [[nodiscard]] FlightBound bound(double time, const rotor::ShaftAndRing& bodies, double horizon,
                                   bool of_velocity = true) const;
-  /// The same of |z| alone, and of |z − r| [m].
-  [[nodiscard]] double displacement_bound(double time, const rotor::State& shaft, double horizon) const {
-    return shaft_bound(time, shaft, horizon, false);
-  }
-  [[nodiscard]] double bound_from_ring(double time, const rotor::ShaftAndRing& bodies, double horizon) const {
-    return bound(time, bodies, horizon, false).position();
-  }
+  /// The shaft's part of it.
+  [[nodiscard]] double shaft_bound(double time, const rotor::State& state, double horizon,
+                                   bool of_velocity) const;
   /// The time over which a bound is to be asked for. Where free motion may grow, the bound is renewed after
   /// this time; else the time is infinite.
   [[nodiscard]] double time_of_bound() const;
@@ -83,9 +81,10 @@ class Flight {
   [[nodiscard]] double largest_displacement(double begin, double end, double known) const;
 
  private:
-  [[nodiscard]] double shaft_bound(double time, const rotor::State& state, double horizon,
-                                   bool of_velocity) const;
-  StateRow& row_of(std::optional<StateRow>& row, double spacing) const;
+  /// What reads this flight at equally spaced times, made where it is asked for.
+  StateRow& row_of(double spacing) const {
+    return rows_.try_emplace(spacing, *machine_, spacing).first->second;
+  }
   [[nodiscard]] double top_between(double from, double to, double rate_from, double rate_to) const;
 
   const rotor::Machine* machine_;
@@ -95,9 +94,7 @@ class Flight {
   const rotor::RingBody* ring_;             ///< null where the ring is no body
   double start_ = 0.0;
   rotor::ShaftAndRing at_start_ = rotor::ShaftAndRing::Zero();
-  // What reads this flight at equally spaced times, made where it is asked for.
-  mutable std::optional<StateRow> sample_row_;
-  mutable std::optional<StateRow> distance_row_;
+  mutable std::map<double, StateRow> rows_;  ///< by their spacing
 };
 
 }  // namespace rubatlas::modes

@@ -13,9 +13,9 @@ namespace rubatlas::modes {
 
 class FlightPiece final : public trajectory::PieceWithoutContact {
  public:
-  /// From the start of the flight. `search` knows the tips; the meter pays for looking along them.
-  FlightPiece(const Flight& flight, TouchdownSearch& search, WorkMeter& meter, double end)
-      : flight_(&flight), search_(&search), meter_(&meter), end_(end) {}
+  /// From the start of the flight. `search` knows the tips.
+  FlightPiece(const Flight& flight, TouchdownSearch& search, double end)
+      : flight_(&flight), search_(&search), end_(end) {}
   [[nodiscard]] double begin() const override { return flight_->start_time(); }
   [[nodiscard]] double end() const override { return end_; }
   [[nodiscard]] trajectory::State state(double time) override {
@@ -26,23 +26,20 @@ class FlightPiece final : public trajectory::PieceWithoutContact {
     flight_->places(times, first, x, y);
   }
   [[nodiscard]] double displacement_bound() const override {
-    return flight_->displacement_bound(begin(), rotor::shaft(flight_->at_start()), end_ - begin());
+    return flight_->shaft_bound(begin(), rotor::shaft(flight_->at_start()), end_ - begin(), false);
   }
   [[nodiscard]] double largest_displacement(double known, double /*speed_ratio*/) override {
     return displacement_bound() > known ? flight_->largest_displacement(begin(), end_, known) : known;
   }
-  [[nodiscard]] trajectory::Tip tip(int blade, double time) override {
-    return search_->tip(*flight_, blade, time);
-  }
+  [[nodiscard]] trajectory::Tip tip(int blade, double time) override { return search_->tip(blade, time); }
   [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(
       double known, const trajectory::PointConstants& /*point*/) override {
-    return search_->nearest_pass(*flight_, begin(), end_, known, *meter_);
+    return search_->nearest_pass(end_, known);
   }
 
  private:
   const Flight* flight_;
   TouchdownSearch* search_;
-  WorkMeter* meter_;
   double end_;
 };
 

@@ -53,55 +53,50 @@ bool bounds_are_close(const rotor::Machine& machine) {
 
 }  // namespace
 
-TouchdownSearch::TouchdownSearch(const rotor::Machine& machine, std::vector<contact::Geometry> blades)
-    : machine_(&machine),
+TouchdownSearch::TouchdownSearch(const Flight& flight, std::vector<contact::Geometry> blades,
+                                 WorkMeter& meter)
+    : flight_(&flight),
+      meter_(&meter),
+      machine_(&flight.machine()),
       blades_(std::move(blades)),
       least_clearance_(std::numeric_limits<double>::infinity()),
-      close_bounds_(bounds_are_close(machine)),
-      turning_weight_(turning_weight(machine.constants)),
-      turning_(turning_bounds(machine.blades)),
-      first_spacing_(kSpacing / std::max(1.0, std::abs(machine.constants.speed_ratio))),
+      close_bounds_(bounds_are_close(*machine_)),
+      turning_weight_(turning_weight(machine_->constants)),
+      turning_(turning_bounds(machine_->blades)),
+      first_spacing_(kSpacing / std::max(1.0, std::abs(machine_->constants.speed_ratio))),
       clear_until_(blades_.size()) {
   for (const contact::Geometry& blade : blades_) {
     farthest_ = std::max(farthest_, blade.reach);
     least_clearance_ = std::min(least_clearance_, blade.ring_radius - blade.reach);
-    roundings_.push_back(kDoubt * machine.constants.gap_rounding(blade));
+    roundings_.push_back(kDoubt * machine_->constants.gap_rounding(blade));
   }
 }
 
-std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find_by_steps(const Flight& flight, double until,
-                                                                         WorkMeter& meter) {
-  const double from = flight.start_time();
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find_by_steps(double until) {
+  const double from = flight_->start_time();
   clear_until_.assign(clear_until_.size(), from);
-  return by_steps(flight, from, flight.at_start(), until, meter);
+  return by_steps(blades_, clear_until_, from, flight_->at_start(), until);
 }
 
-bool TouchdownSearch::shaft_at_ring(const Flight& flight, double until, WorkMeter& meter) const {
+bool TouchdownSearch::shaft_at_ring(double until) {
   const contact::Geometry shaft{0.0, blades_.front().ring_radius};
   const double misalignment = machine_->constants.misalignment;
-  double time = flight.start_time();
-  rotor::ShaftAndRing bodies = flight.at_start();
-  const double bound = flight.bound_from_ring(time, bodies, until - time);
+  const double from = flight_->start_time();
+  const rotor::ShaftAndRing& bodies = flight_->at_start();
+  const double bound = flight_->bound(from, bodies, until - from, false).position();
   if (bound + std::abs(misalignment) < shaft.ring_radius) return false;
   const rotor::State seen = rotor::from_ring(bodies);
   if (std::hypot(seen[0], seen[1] + misalignment) >= shaft.ring_radius) return true;
-  while (meter.spend(Work::flight, WorkPrice::kGap + flight.price_of_state())) {
-    const contact::BladeDirection er = machine_->blades.first(time);
-    const double step = clear_step(flight, shaft, er, time, bodies, until);
-    if (step <= kTimeResolution * std::max(1.0, time)) return true;
-    time += step;
-    if (time >= until) return false;
-    bodies = flight.state(time);
-  }
-  return false;
+  double clear_until = from;
+  return by_steps({&shaft, 1}, {&clear_until, 1}, from, bodies, until).has_value();
 }
 
 /// Bound of |g'''|, g = |c|² + 2(rh+L) Re(c e^{−iφ}) + a constant.
-double TouchdownSearch::third_bound(const Flight& flight, const FlightBound& bound, double reach) const {
+double TouchdownSearch::third_bound(const FlightBound& bound, double reach) const {
   const double misalignment = std::abs(machine_->constants.misalignment);
   const double centre = bound.position() + misalignment;  // of |c|
   const double velocity = bound.velocity();
-  const auto [second, third, fourth] = flight.derivative_bounds(bound);
+  const auto [second, third, fourth] = flight_->derivative_bounds(bound);
   double turned =
       third + 3.0 * turning_.first * second + 3.0 * turning_.second * velocity + turning_.third * centre;
   if (close_bounds_) {
@@ -115,24 +110,23 @@ double TouchdownSearch::third_bound(const Flight& flight, const FlightBound& bou
   return 6.0 * velocity * second + 2.0 * centre * third + 2.0 * reach * turned;
 }
 
-double TouchdownSearch::fourth_bound(const Flight& flight, const FlightBound& bound) const {
+double TouchdownSearch::fourth_bound(const FlightBound& bound) const {
   const double centre = bound.position() + std::abs(machine_->constants.misalignment);
   const double velocity = bound.velocity();
-  const auto [second, third, fourth] = flight.derivative_bounds(bound);
+  const auto [second, third, fourth] = flight_->derivative_bounds(bound);
   const double turned = fourth + 4.0 * turning_.first * third + 6.0 * turning_.second * second +
                         4.0 * turning_.third * velocity + turning_.fourth * centre;
   return 6.0 * second * second + 8.0 * velocity * third + 2.0 * centre * fourth + 2.0 * farthest_ * turned;
 }
 
-TouchdownSearch::Outlook TouchdownSearch::outlook(const Flight& flight, double time,
-                                                  const rotor::ShaftAndRing& bodies, double until,
-                                                  bool shows_passes) {
+TouchdownSearch::Outlook TouchdownSearch::outlook(double time, const rotor::ShaftAndRing& bodies,
+                                                  double until, bool shows_passes) {
   // Where free motion grows, a bound over all the remaining time would be as large as that of its end.
   const double remaining = until - time;
-  const double renewed = std::max(flight.time_of_bound(), FlightRow::kTimes * kClosest * first_spacing_);
+  const double renewed = std::max(flight_->time_of_bound(), FlightRow::kTimes * kClosest * first_spacing_);
   const bool in_pieces = renewed < remaining;
-  const double horizon = in_pieces ? renewed : remaining;
-  const double fourth = fourth_bound(flight, flight.bound(time, bodies, horizon));
+  const double horizon = std::min(renewed, remaining);
+  const double fourth = fourth_bound(flight_->bound(time, bodies, horizon));
   const double share = shows_passes ? kLargestRemainderOfPasses : kLargestRemainder;
   const double allowed = share * blades_.front().ring_radius * machine_->constants.length_scale;
   const auto suits = [&](double h) {
@@ -147,21 +141,20 @@ TouchdownSearch::Outlook TouchdownSearch::outlook(const Flight& flight, double t
 }
 
 /// In rows of times, and in steps only where a row leaves a doubt.
-std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(const Flight& flight, double until,
-                                                                WorkMeter& meter) {
-  double time = flight.start_time();
-  rotor::ShaftAndRing bodies = flight.at_start();
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
+  double time = flight_->start_time();
+  rotor::ShaftAndRing bodies = flight_->at_start();
+  rows_.clear();
+  gaps_.clear();
   // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
-  if (flight.bound_from_ring(time, bodies, until - time) + std::abs(machine_->constants.misalignment) <=
-      least_clearance_)
-    return std::nullopt;
+  const double bound = flight_->bound(time, bodies, until - time, false).position();
+  if (bound + std::abs(machine_->constants.misalignment) <= least_clearance_) return std::nullopt;
   const int count = static_cast<int>(blades_.size());
-  const std::int64_t price = price_of_row(flight);
-  forget_rows(bodies);
-  Outlook ahead = outlook(flight, time, bodies, until, false);
+  const std::int64_t price = price_of_row();
+  Outlook ahead = outlook(time, bodies, until, false);
   const bool dear = states_are_dear(*machine_);
   for (int rows = 1; time < until; ++rows) {
-    if (!meter.spend(Work::flight, price)) return std::nullopt;
+    if (!meter_->spend(Work::flight, price)) return std::nullopt;
     FlightRow& row = *ahead.row;
     row.start(time, bodies, ahead.fourth);
     evaluations_ += blades_.size();
@@ -178,35 +171,33 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(const Flight& fl
     if (keeps) rows_.push_back({time, row.spacing(), std::min(doubt + 1, FlightRow::kTimes)});
     if (doubt > 0) {
       time += doubt * row.spacing();
-      bodies = dear && rows % kRowsFromClosedForm != 0 ? row.state(doubt - 1) : flight.state(time);
+      bodies = dear && rows % kRowsFromClosedForm != 0 ? row.state(doubt - 1) : flight_->state(time);
     }
     if (doubt < FlightRow::kTimes) {
       if (time >= until) break;
       const double end = std::min(time + row.spacing(), until);
-      if (auto touchdown = only_touch(flight, row, doubt, time, first, meter)) {
-        if (meter.ended() || !(touchdown->time < until)) return std::nullopt;
+      if (auto touchdown = only_touch(row, doubt, time, first)) {
+        if (meter_->ended() || !(touchdown->time < until)) return std::nullopt;
         return touchdown;
       }
       for (double& clear_until : clear_until_) clear_until = clear_until > doubt ? end : time;
-      if (auto touchdown = by_steps(flight, time, bodies, end, meter)) return touchdown;
-      if (meter.ended()) return std::nullopt;
+      if (auto touchdown = by_steps(blades_, clear_until_, time, bodies, end)) return touchdown;
+      if (meter_->ended()) return std::nullopt;
       time = end;
-      bodies = flight.state(time);
+      bodies = flight_->state(time);
     }
     const double next_end = time + FlightRow::kTimes * row.spacing();
     if (time < until && (ahead.shorter || (next_end > ahead.until && ahead.until < until)))
-      ahead = outlook(flight, time, bodies, until, false);
+      ahead = outlook(time, bodies, until, false);
   }
   return std::nullopt;
 }
 
 /// The touch-down in an interval of the row that starts at `time`, where one tip alone may touch in it, and
 /// touches once. Nothing where it cannot be told. `first`: where blade 0 stands at the start of the row.
-std::optional<TouchdownSearch::Touchdown> TouchdownSearch::only_touch(const Flight& flight,
-                                                                      const FlightRow& row, int interval,
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::only_touch(const FlightRow& row, int interval,
                                                                       double time,
-                                                                      const contact::BladeDirection& first,
-                                                                      WorkMeter& meter) {
+                                                                      const contact::BladeDirection& first) {
   constexpr double kLastStep = 1e-8;  // [τ]: the last step errs by its square
   const auto may_touch = [interval](double clear_until) { return !(clear_until > interval); };
   if (std::ranges::count_if(clear_until_, may_touch) > 1) return std::nullopt;
@@ -215,41 +206,41 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::only_touch(const Flig
   const FlightRow::Gaps gaps = gaps_of(row, blade, first);
   if (!row.touches_once(gaps, interval, roundings_[static_cast<std::size_t>(number)])) return std::nullopt;
   const auto gap = [&](double at) {
-    meter.spend(Work::flight, WorkPrice::kGap + flight.price_of_state());
+    meter_->spend(Work::flight, WorkPrice::kGap + flight_->price_of_state());
     ++evaluations_;
-    const contact::Pose there = pose(blade, at, flight.state(at));
+    const contact::Pose there = pose(blade, at, flight_->state(at));
     return integrate::ValueAndSlope{
         there.gap, contact::gap_rate(geometry(blade), there, machine_->blades.angular_speed(at))};
   };
   const double touches = integrate::newton_between(gap, time, time + row.spacing(),
                                                    time + row.crossing(gaps, interval), true, kLastStep);
-  return Touchdown{blade, touches, flight.state(touches)};
+  return Touchdown{blade, touches, flight_->state(touches)};
 }
 
-/// In steps that no tip can outrun; `clear_until_` says from when on each blade is to be looked at.
-std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(const Flight& flight, double time,
-                                                                    rotor::ShaftAndRing bodies, double until,
-                                                                    WorkMeter& meter) {
+/// In steps that no tip can outrun; `clear_until` says from when on each of them is to be looked at.
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(std::span<const contact::Geometry> tips,
+                                                                    std::span<double> clear_until,
+                                                                    double time, rotor::ShaftAndRing bodies,
+                                                                    double until) {
   const rotor::BladeSet& blades = machine_->blades;
   contact::BladeDirection first = blades.first(time);
   while (true) {
     std::size_t blade = 0;
-    for (std::size_t k = 1; k < clear_until_.size(); ++k) {
-      if (clear_until_[k] < clear_until_[blade]) blade = k;
+    for (std::size_t k = 1; k < clear_until.size(); ++k) {
+      if (clear_until[k] < clear_until[blade]) blade = k;
     }
-    if (clear_until_[blade] >= until) return std::nullopt;
-    if (clear_until_[blade] > time) {
-      time = clear_until_[blade];
-      bodies = flight.state(time);
+    if (clear_until[blade] >= until) return std::nullopt;
+    if (clear_until[blade] > time) {
+      time = clear_until[blade];
+      bodies = flight_->state(time);
       first = blades.first(time);
     }
-    if (!meter.spend(Work::flight, WorkPrice::kGap + flight.price_of_state())) return std::nullopt;
+    if (!meter_->spend(Work::flight, WorkPrice::kGap + flight_->price_of_state())) return std::nullopt;
     ++evaluations_;
     const int number = static_cast<int>(blade);
-    const double step =
-        clear_step(flight, blades_[blade], blades.direction(number, first), time, bodies, until);
+    const double step = clear_step(tips[blade], blades.direction(number, first), time, bodies, until);
     if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{number, time, bodies};
-    clear_until_[blade] = time + step;
+    clear_until[blade] = time + step;
   }
 }
 
@@ -259,8 +250,9 @@ contact::Pose TouchdownSearch::pose(int blade, double time, const rotor::ShaftAn
                         rotor::from_ring(bodies));
 }
 
-trajectory::Tip TouchdownSearch::tip(const Flight& flight, int blade, double time) const {
-  return tip_of(geometry(blade), pose(blade, time, flight.state(time)), machine_->blades.angular_speed(time));
+trajectory::Tip TouchdownSearch::tip(int blade, double time) const {
+  return tip_of(geometry(blade), pose(blade, time, flight_->state(time)),
+                machine_->blades.angular_speed(time));
 }
 
 /// Of a blade, at the times of the row; `first`: where blade 0 stands at its start.
@@ -270,13 +262,11 @@ FlightRow::Gaps TouchdownSearch::gaps_of(const FlightRow& row, int blade,
 }
 
 /// A duration from `time` on within which a tip of that geometry, whose blade stands at `er`, cannot touch.
-double TouchdownSearch::clear_step(const Flight& flight, const contact::Geometry& geometry,
-                                   const contact::BladeDirection& er, double time,
-                                   const rotor::ShaftAndRing& bodies, double until) const {
+double TouchdownSearch::clear_step(const contact::Geometry& geometry, const contact::BladeDirection& er,
+                                   double time, const rotor::ShaftAndRing& bodies, double until) const {
   const rotor::BladeSet& blades = machine_->blades;
   const rotor::State seen = rotor::from_ring(bodies);
   const double turning = blades.angular_speed(time);
-  const double reach = geometry.reach;
   const contact::Pose at = rotor::pose_of(machine_->constants, geometry, er, seen);
   const double slope = contact::gap_rate(geometry, at, turning);
   // Rounding may leave the gap of a blade that has just lifted off a little above zero.
@@ -287,12 +277,11 @@ double TouchdownSearch::clear_step(const Flight& flight, const contact::Geometry
       rotor::free_gap_curvature(*machine_, geometry, er, at, rotor::full_state(bodies, time, 0.0), 0.0);
   // Where free motion grows, a bound over all the remaining time would be as large as that of its end.
   const double remaining = until - time;
-  const double renewed = flight.time_of_bound();
-  const bool in_pieces = renewed < remaining;
-  const FlightBound bound = flight.bound(time, bodies, in_pieces ? renewed : remaining);
+  const double horizon = std::min(flight_->time_of_bound(), remaining);
+  const FlightBound bound = flight_->bound(time, bodies, horizon);
   const double step =
-      integrate::conservative_step(value, slope, curvature, third_bound(flight, bound, reach));
-  return in_pieces ? std::min(step, renewed) : step;
+      integrate::conservative_step(value, slope, curvature, third_bound(bound, geometry.reach));
+  return horizon < remaining ? std::min(step, horizon) : step;
 }
 
 /// With f = −iφ: (e^f)' = f' e^f, and so on.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "contact/pose.hpp"
@@ -25,8 +26,8 @@ namespace rubatlas::modes {
 /// have passed the end of the search.
 class TouchdownSearch {
  public:
-  /// `machine` outlives the search. `blades`: one geometry for each blade.
-  TouchdownSearch(const rotor::Machine& machine, std::vector<contact::Geometry> blades);
+  /// Flight and meter outlive the search. `blades`: one geometry for each blade.
+  TouchdownSearch(const Flight& flight, std::vector<contact::Geometry> blades, WorkMeter& meter);
 
   struct Touchdown {
     int blade;
@@ -35,24 +36,23 @@ class TouchdownSearch {
   };
 
   /// Nothing also where the meter ends the revolution.
-  std::optional<Touchdown> find(const Flight& flight, double until, WorkMeter& meter);
+  std::optional<Touchdown> find(double until);
   /// The same in steps only.
-  std::optional<Touchdown> find_by_steps(const Flight& flight, double until, WorkMeter& meter);
+  std::optional<Touchdown> find_by_steps(double until);
 
   /// Whether the shaft's centre reaches the ring before `until`, |c| = R, with no blade in contact (MODEL 5):
   /// the zero of the gap of a blade without length. False also where the meter ends the revolution.
-  bool shaft_at_ring(const Flight& flight, double until, WorkMeter& meter) const;
+  bool shaft_at_ring(double until);
 
   /// A tip at a time of the flight.
-  [[nodiscard]] trajectory::Tip tip(const Flight& flight, int blade, double time) const;
+  [[nodiscard]] trajectory::Tip tip(int blade, double time) const;
 
-  /// The tip that passes the ring nearest between two times of the flight, nearer than `known` [m], or none;
+  /// The tip that passes the ring nearest up to `end` nearest, nearer than `known` [m], or none;
   /// as far as the meter pays. Once this has been asked for, the search keeps the gaps that it finds.
-  [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(const Flight& flight, double begin, double end,
-                                                             double known, WorkMeter& meter);
+  [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(double end, double known);
 
   /// Bound of |g''''| of the blade that reaches farthest [m² per unit τ⁴].
-  [[nodiscard]] double fourth_bound(const Flight& flight, const FlightBound& bound) const;
+  [[nodiscard]] double fourth_bound(const FlightBound& bound) const;
 
   /// Gaps evaluated, one for each blade and time, or row of times.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
@@ -80,12 +80,12 @@ class TouchdownSearch {
     bool shorter;  ///< the spacing is not the first
   };
   /// `shows_passes`: the cubics of the rows show where tips pass, besides what may touch.
-  [[nodiscard]] Outlook outlook(const Flight& flight, double time, const rotor::ShaftAndRing& bodies,
-                                double until, bool shows_passes);
-  std::optional<Touchdown> only_touch(const Flight& flight, const FlightRow& row, int interval, double time,
-                                      const contact::BladeDirection& first, WorkMeter& meter);
-  std::optional<Touchdown> by_steps(const Flight& flight, double time, rotor::ShaftAndRing bodies,
-                                    double until, WorkMeter& meter);
+  [[nodiscard]] Outlook outlook(double time, const rotor::ShaftAndRing& bodies, double until,
+                                bool shows_passes);
+  std::optional<Touchdown> only_touch(const FlightRow& row, int interval, double time,
+                                      const contact::BladeDirection& first);
+  std::optional<Touchdown> by_steps(std::span<const contact::Geometry> tips, std::span<double> clear_until,
+                                    double time, rotor::ShaftAndRing bodies, double until);
 
   [[nodiscard]] const contact::Geometry& geometry(int blade) const {
     return blades_[static_cast<std::size_t>(blade)];
@@ -100,34 +100,34 @@ class TouchdownSearch {
     double spacing;  ///< τ
     int intervals;   ///< of the row that belong to the flight's way; the next row goes on after them
   };
-  void forget_rows(const rotor::ShaftAndRing& bodies);
-  [[nodiscard]] bool rows_reach(double begin, const rotor::ShaftAndRing& bodies, double end,
-                                double spacing) const;
-  double look_along(const Flight& flight, double begin, double end, WorkMeter& meter);
-  [[nodiscard]] std::int64_t price_of_row(const Flight& flight) const {
-    return flight.price_of_state() + static_cast<std::int64_t>(blades_.size()) * WorkPrice::kGap;
+  [[nodiscard]] bool rows_reach(double end, double spacing) const;
+  double look_along(double begin, double end);
+  [[nodiscard]] std::int64_t price_of_row() const {
+    return flight_->price_of_state() + static_cast<std::int64_t>(blades_.size()) * WorkPrice::kGap;
   }
   [[nodiscard]] static bool may_have_top(const FlightRow::Gaps& gaps, double spacing);
-  [[nodiscard]] std::optional<trajectory::Pass> nearest_top(const Flight& flight, const KeptRow& row,
-                                                            int blade, const FlightRow::Gaps& gaps,
-                                                            double end, double known) const;
+  /// The pass of a tip that is sought.
+  struct Nearest {
+    double end;       ///< τ before which it is to come
+    double distance;  ///< [m]: nearer than this
+    std::optional<trajectory::Pass> pass;
+  };
+  void take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps, Nearest& nearest) const;
   /// Two times between which a tip's radius has its one maximum, and about when.
   struct TopBetween {
     double from;
     double to;
     double guess;
   };
-  [[nodiscard]] std::optional<trajectory::Pass> pass_between(const Flight& flight, int blade,
-                                                             TopBetween between, double end,
-                                                             double known) const;
-  [[nodiscard]] std::optional<trajectory::Pass> pass_at(const Flight& flight, int blade, double time,
-                                                        double known) const;
+  void take_top(int blade, TopBetween between, Nearest& nearest) const;
+  void take(int blade, double time, Nearest& nearest) const;
 
-  [[nodiscard]] double clear_step(const Flight& flight, const contact::Geometry& geometry,
-                                  const contact::BladeDirection& er, double time,
-                                  const rotor::ShaftAndRing& bodies, double until) const;
-  [[nodiscard]] double third_bound(const Flight& flight, const FlightBound& bound, double reach) const;
+  [[nodiscard]] double clear_step(const contact::Geometry& geometry, const contact::BladeDirection& er,
+                                  double time, const rotor::ShaftAndRing& bodies, double until) const;
+  [[nodiscard]] double third_bound(const FlightBound& bound, double reach) const;
 
+  const Flight* flight_;
+  WorkMeter* meter_;
   const rotor::Machine* machine_;
   std::vector<contact::Geometry> blades_;
   std::vector<double> roundings_;  ///< of gaps: below them a row does not tell, one for each blade [m²]
@@ -141,7 +141,6 @@ class TouchdownSearch {
   std::array<std::unique_ptr<FlightRow>, kSpacings> rows_by_spacing_;
   // What was found along the flight, where it is kept: gaps row by row, and in them blade by blade.
   bool keeps_rows_ = false;
-  rotor::ShaftAndRing rows_state_ = rotor::ShaftAndRing::Zero();  ///< at the first of the rows
   std::vector<KeptRow> rows_;
   std::vector<FlightRow::Gaps> gaps_;
   std::uint64_t evaluations_ = 0;

@@ -27,7 +27,7 @@ Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Se
       limits_(settings.limits),
       modes_(machine_, std::move(law), limits_, meter_, settings.make_phases),
       flight_(machine_),
-      search_(machine_, geometries()) {
+      search_(flight_, geometries(), meter_) {
   contacts_.reserve(static_cast<std::size_t>(machine_.blades.count()));
 }
 
@@ -140,14 +140,13 @@ std::int64_t Motion::price_of_last_event() {
 modes::ModeEnd Motion::fly(double period, modes::MotionListener& listener) {
   using modes::Guard;
   flight_.start(time_, state_);
-  const auto touchdown = search_.find(flight_, period, meter_);
+  const auto touchdown = search_.find(period);
   if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
   const double end = touchdown ? touchdown->time : period;
-  if (search_.shaft_at_ring(flight_, end, meter_))
-    return {Guard::left_validity, -1, ending::StatusDetail::shaft_at_ring};
+  if (search_.shaft_at_ring(end)) return {Guard::left_validity, -1, ending::StatusDetail::shaft_at_ring};
   if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
   if (end > time_) {
-    modes::FlightPiece piece(flight_, search_, meter_, end);
+    modes::FlightPiece piece(flight_, search_, end);
     listener.piece(piece);
     if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
     state_ = touchdown ? touchdown->bodies : flight_.state(end);

@@ -148,7 +148,8 @@ TEST(RingBody, NoTouchdownIsMissedWhereShaftAndRingMoveTowardsEachOther) {
         2e-3 * part(19), 2e-3 * ring.frequency() * part(23), 2e-3 * ring.frequency() * part(29);
     flight.start(0.0, start);
     const double until = 2.0 * std::numbers::pi / rotor.speed_ratio;
-    modes::TouchdownSearch search(machine, {3, kBladeAndRing});
+    modes::WorkMeter meter;
+    modes::TouchdownSearch search(flight, {3, kBladeAndRing}, meter);
     const auto largest_gap = [&](double time) {
       double largest = -1.0;
       const State seen = rotor::from_ring(flight.state(time));
@@ -159,8 +160,7 @@ TEST(RingBody, NoTouchdownIsMissedWhereShaftAndRingMoveTowardsEachOther) {
       return largest;
     };
     if (largest_gap(0.0) >= 0.0) continue;
-    modes::WorkMeter meter;
-    const auto touchdown = search.find(flight, until, meter);
+    const auto touchdown = search.find(until);
     const double end = touchdown ? touchdown->time : until;
     for (int i = 0; i < 4000; ++i) EXPECT_LT(largest_gap(end * i / 4000), 1e-16) << trial;
     if (!touchdown) continue;

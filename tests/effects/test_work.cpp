@@ -80,10 +80,10 @@ TEST(FlightThatGrows, ItsTouchDownIsFoundInFewSteps) {
     for (const double size : {1e-9, 1e-5, 1e-3}) {
       const rotor::State start{0.6 * size, 0.8 * size, 0.3 * size, -0.5 * size};
       flight.start(0.0, rotor::shaft_and_ring(start));
-      modes::TouchdownSearch search(machine, {3, geometry});
       WorkMeter meter;
+      modes::TouchdownSearch search(flight, {3, geometry}, meter);
       const double period = rotor.period();
-      const auto touchdown = search.find(flight, period, meter);
+      const auto touchdown = search.find(period);
       const double end = touchdown ? touchdown->time : period;
       for (int i = 0; i < 1000; ++i) ASSERT_LT(largest_gap(end * i / 1000), 1e-16) << size << ", " << i;
       EXPECT_LT(search.evaluations(), 200U) << size;

@@ -41,7 +41,7 @@ class FreeWhirl {
       : machine_(machine_of({speed_ratio, 0.0, 0.0, 1.0, kClearance}, rotor::BladeSet(blades, speed_ratio),
                             kNoForcing)),
         flight_(machine_),
-        search_(machine_, {static_cast<std::size_t>(blades), contact::Geometry{kReach, kRadius}}) {}
+        search_(flight_, {static_cast<std::size_t>(blades), contact::Geometry{kReach, kRadius}}, meter_) {}
 
   /// First touch-down of the whirl with amplitude ρ that has been at angle −t0 at τ = 0, from τ = `from` on.
   std::optional<Search::Touchdown> first_touchdown(double amplitude, double delay, double from,
@@ -51,16 +51,16 @@ class FreeWhirl {
     const double y = amplitude * std::sin(angle);
     flight_.start(from, rotor::shaft_and_ring(rotor::State{x, y, -y, x}));
     meter_.begin_revolution(nobody_);
-    return search_.find(flight_, until, meter_);
+    return search_.find(until);
   }
   [[nodiscard]] std::uint64_t evaluations() const { return search_.evaluations(); }
 
  private:
   rotor::Machine machine_;
   modes::Flight flight_;
-  Search search_;
   modes::GoOn nobody_;
   modes::WorkMeter meter_;
+  Search search_;
 };
 
 TEST(Grazing, NoTouchdownOfASweptWhirlIsMissedAndNoneIsInvented) {

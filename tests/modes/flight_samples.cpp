@@ -18,6 +18,7 @@ namespace rubatlas::test {
 namespace {
 
 constexpr double kSize = 0.01;  ///< [m] of the motions
+const std::vector<contact::Geometry> kBlades(3, {0.1, 0.11});
 
 /// Calls `use` with flights of undamped to overdamped shafts, with and without unbalance, over a revolution.
 template <class Use>
@@ -32,7 +33,8 @@ void for_each_flight(Use use) {
         const rotor::Machine machine = machine_of(constants, rotor::BladeSet(3, speed), forcing);
         modes::Flight flight(machine);
         flight.start(between(generator, 0.0, 0.1), rotor::shaft_and_ring(state));
-        modes::TouchdownSearch search(machine, {3, contact::Geometry{0.1, 0.11}});
+        modes::WorkMeter meter;
+        modes::TouchdownSearch search(flight, kBlades, meter);
         use(flight, search, constants);
       };
       fly(kNoForcing);
@@ -61,7 +63,7 @@ TEST(FlightBounds, HoldWhereForcingsOfDifferentFrequencyComeIntoStepLater) {
       amplitude = std::max(amplitude, std::sqrt(there.square().sum()));
     }
     EXPECT_GT(largest, 2.0 * std::abs(steady.position)) << "else the start would bound the motion";
-    EXPECT_LE(largest, flight.displacement_bound(0.0, start, 10.0) * (1.0 + 1e-12));
+    EXPECT_LE(largest, flight.shaft_bound(0.0, start, 10.0, false) * (1.0 + 1e-12));
     EXPECT_LE(amplitude, flight.bound(0.0, flight.state(0.0), 10.0).shaft * (1.0 + 1e-12));
   }
 }
@@ -69,8 +71,7 @@ TEST(FlightBounds, HoldWhereForcingsOfDifferentFrequencyComeIntoStepLater) {
 TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
   for_each_flight([](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     for (const int count : {7, 64, 256, 8192}) {
-      modes::WorkMeter meter;
-      modes::FlightPiece piece(flight, search, meter, rotor.period());
+      modes::FlightPiece piece(flight, search, rotor.period());
       const trajectory::SampleTimes times{rotor.period(), count};
       const int first = static_cast<int>(flight.start_time() / times.spacing()) + 1;
       for (const int last : {first, first + 1, count - 1}) {
@@ -113,8 +114,7 @@ TEST(FlightSamples, TheLargestDisplacementOfAFlightIsFoundWhereverItLies) {
   int inside = 0;
   for_each_flight([&](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     for (int i = 0; i < 200; ++i) {
-      modes::WorkMeter meter;
-      modes::FlightPiece piece(flight, search, meter,
+      modes::FlightPiece piece(flight, search,
                                flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
       StatesOnly states(piece);
       const double expected = states.largest_displacement(0.0, rotor.speed_ratio);
@@ -137,8 +137,7 @@ TEST(FlightSamples, TheTipThatPassesTheRingNearestIsTheSameInRowsOfTimesAndBySta
   for_each_flight([&](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     const trajectory::PointConstants point{rotor.period(), rotor.speed_ratio, 3};
     for (int i = 0; i < 50; ++i) {
-      modes::WorkMeter meter;
-      modes::FlightPiece piece(flight, search, meter,
+      modes::FlightPiece piece(flight, search,
                                flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
       StatesOnly states(piece);
       const auto expected = states.nearest_pass(INFINITY, point);
@@ -157,10 +156,11 @@ TEST(FlightSamples, TheTipThatPassesTheRingNearestIsTheSameInRowsOfTimesAndBySta
 }
 
 TEST(FlightSamples, ALongFlightIsLookedAtInPartsAndAnEndlessOneAsFarAsWorkIsAllowed) {
-  for_each_flight([](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
+  for_each_flight([](const auto& flight, auto& /*search*/, const rotor::RotorConstants& rotor) {
     if (rotor.damping_ratio > 0.0 || rotor.speed_ratio != 0.62) return;
     const auto nearest_until = [&](double time, modes::WorkMeter& meter) {
-      return modes::FlightPiece(flight, search, meter, time)
+      modes::TouchdownSearch search(flight, kBlades, meter);
+      return modes::FlightPiece(flight, search, time)
           .nearest_pass(INFINITY, {rotor.period(), rotor.speed_ratio, 3});
     };
     constexpr double kLong = 1e5;  // twelve times as many rows as are kept at once

@@ -82,11 +82,11 @@ TEST(FlightRows, ShowWhatListenersAskForOfAnyMachine) {
     const RandomMachine random(generator);
     modes::Flight flight(random.machine);
     start_anywhere(generator, random, flight);
-    modes::TouchdownSearch search(random.machine, random.blades);
+    modes::WorkMeter meter;
+    modes::TouchdownSearch search(flight, random.blades, meter);
     const double begin = flight.start_time();
     const double end = begin + between(generator, 0.5, 10.0);
-    modes::WorkMeter meter;
-    modes::FlightPiece piece(flight, search, meter, end);
+    modes::FlightPiece piece(flight, search, end);
 
     const trajectory::SampleTimes times{end, 3000};
     const int first = static_cast<int>(begin / times.spacing()) + 1;
@@ -105,7 +105,7 @@ TEST(FlightRows, ShowWhatListenersAskForOfAnyMachine) {
       const rotor::ShaftAndRing exact = states.emplace_back(flight.state(time));
       largest = std::max(largest, std::hypot(exact[0], exact[1]));
       for (std::size_t k = 0; k < before.size(); ++k) {
-        const double overlap = search.tip(flight, static_cast<int>(k), time).overlap;
+        const double overlap = search.tip(static_cast<int>(k), time).overlap;
         if (before[k] > before_that[k] && before[k] > overlap && before[k] < 0.0)
           nearest = std::max(nearest, before[k]);
         before_that[k] = std::exchange(before[k], overlap);
@@ -148,10 +148,11 @@ TEST(FlightRows, NoGapBendsMoreThanItsBoundAllows) {
     const rotor::Machine& machine = random.machine;
     modes::Flight flight(machine);
     start_anywhere(generator, random, flight);
-    const modes::TouchdownSearch search(machine, random.blades);
+    modes::WorkMeter meter;
+    const modes::TouchdownSearch search(flight, random.blades, meter);
     const double begin = flight.start_time();
     const double end = begin + std::min(5.0, flight.time_of_bound());
-    const double bound = search.fourth_bound(flight, flight.bound(begin, flight.state(begin), end - begin));
+    const double bound = search.fourth_bound(flight.bound(begin, flight.state(begin), end - begin));
     const double apart = 0.02 / random.fastest;
     for (std::size_t k = 0; k < random.blades.size(); ++k) {
       const auto gap = [&](double time) {
@@ -180,23 +181,23 @@ TEST(FlightRows, TheirTouchDownsAreThoseOfStepsThatNoTipCanOutrun) {
     const RandomMachine random(generator);
     const rotor::Machine& machine = random.machine;
     modes::Flight flight(machine);
-    modes::TouchdownSearch rows(machine, random.blades);
-    modes::TouchdownSearch steps(machine, random.blades);
+    modes::WorkMeter meter;
+    modes::TouchdownSearch rows(flight, random.blades, meter);
+    modes::TouchdownSearch steps(flight, random.blades, meter);
     for (int start = 0; start < 4; ++start) {
       start_anywhere(generator, random, flight);
       if (largest_gap(random, flight, flight.start_time()) >= 0.0) continue;
       const double until = flight.start_time() + between(generator, 0.0, 20.0);
-      modes::WorkMeter meter;
       meter.begin_revolution(nobody);
-      const auto touchdown = rows.find(flight, until, meter);
-      const auto expected = steps.find_by_steps(flight, until, meter);
+      const auto touchdown = rows.find(until);
+      const auto expected = steps.find_by_steps(until);
       ASSERT_EQ(touchdown.has_value(), expected.has_value()) << random.kind << ", trial " << trial;
       if (!touchdown) continue;
       ++found;
       ASSERT_EQ(touchdown->blade, expected->blade) << random.kind << ", trial " << trial;
       ASSERT_NEAR(largest_gap(random, flight, touchdown->time), 0.0, 1e-15) << random.kind;
       const double away = std::abs(touchdown->time - expected->time);
-      const auto tip = rows.tip(flight, touchdown->blade, touchdown->time);
+      const auto tip = rows.tip(touchdown->blade, touchdown->time);
       ASSERT_LE(away * std::abs(tip.rate), 4e-15) << random.kind << ", " << away << " apart";
     }
     in_rows += rows.evaluations();
