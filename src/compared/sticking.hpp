@@ -22,7 +22,8 @@ class HeldTips final : public modes::RestOfRigidBlades {
   /// What a contact does in a state.
   [[nodiscard]] contact::TipForce force(const State& state, Contacts contacts, std::size_t contact) const {
     contact::TipForce result = slipping(contacts[contact], state).force;
-    if (contacts[contact].slip == 0.0) hold(RestOfRigidBlades::at_rest(state, contacts, contact), result);
+    if (contacts[contact].slip == 0.0)
+      hold(RestOfRigidBlades::at_rest(state, contacts, contacts[contact]), result);
     return result;
   }
   /// The acceleration z''; sets the forces of all contacts.
@@ -74,14 +75,14 @@ class Sticking : public ContactMode<> {
 
   /// A tip at rest comes loose where it is positive.
   [[nodiscard]] double excess(std::size_t contact, const FullState& state) const {
-    return rest_.at_rest(state, contacts_, contact).excess();
+    return rest_.at_rest(state, contacts_, contacts_[contact]).excess();
   }
   [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
     return rest_.force(state, contacts_, contact);
   }
   [[nodiscard]] double friction_of(std::size_t contact, const contact::TipForce& force,
                                    const FullState& state) const {
-    return contacts_[contact].slip == 0.0 ? rest_.at_rest(state, contacts_, contact).coefficient()
+    return contacts_[contact].slip == 0.0 ? rest_.at_rest(state, contacts_, contacts_[contact]).coefficient()
                                           : ContactMode::friction_of(contact, force, state);
   }
 

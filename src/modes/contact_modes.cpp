@@ -31,13 +31,12 @@ std::int64_t ContactModes::price_of_searches() {
          WorkPrice::kInclinedCurve;
 }
 
-bool ContactModes::let_go(const rotor::ContactState& state, std::vector<OpenContact>& contacts,
-                          std::size_t contact) {
+bool ContactModes::let_go(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
+                          OpenContact& contact) {
   if (!tips_at_rest_) return judge_ && judge_->let_go(state, contacts, contact);
-  OpenContact& loose = contacts[contact];
-  OpenContact there = under_law_of_rest(loose);
+  OpenContact there = under_law_of_rest(contact);
   tips_at_rest_->judge.leave_rest(there, state);
-  loose = {loose.blade, there.slip, loose.bending, loose.bend};
+  contact = {contact.blade, there.slip, contact.bending, contact.bend};
   return true;
 }
 

@@ -60,7 +60,8 @@ class ContactModes : public TipPlaces {
   /// Tips that rest do so under another law.
   [[nodiscard]] bool has_law_of_rest() const { return tips_at_rest_.has_value(); }
   /// `RestJudge::let_go`, under whichever law the tip has been at rest.
-  bool let_go(const rotor::ContactState& state, std::vector<OpenContact>& contacts, std::size_t contact);
+  bool let_go(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
+              OpenContact& contact);
   /// The limit of slip reversals that accumulate: the tip comes to rest where friction can hold it. False,
   /// and nothing changed, where friction cannot hold it yet.
   bool comes_to_rest(const rotor::ContactState& state, OpenContact& contact) const;

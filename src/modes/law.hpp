@@ -46,12 +46,13 @@ class RestJudge {
   /// where a tip is left neither rest nor a direction of slip (MODEL 5).
   virtual bool settle(const rotor::ContactState& state, std::vector<OpenContact>& contacts,
                       const Tell& tell) = 0;
-  /// The slip velocity of a tip has come to zero: it rests or slips. False where it can do neither.
-  virtual bool arrest(const rotor::ContactState& state, std::vector<OpenContact>& contacts,
-                      std::size_t contact) = 0;
-  /// A tip at rest that friction no longer holds slips. False where it has no direction.
-  virtual bool let_go(const rotor::ContactState& state, std::vector<OpenContact>& contacts,
-                      std::size_t contact) = 0;
+  // Of one of the contacts in a state:
+  /// The slip velocity of its tip has come to zero: it rests or slips. False where it can do neither.
+  virtual bool arrest(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
+                      OpenContact& contact) = 0;
+  /// Its tip at rest, which friction no longer holds, slips. False where it has no direction.
+  virtual bool let_go(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
+                      OpenContact& contact) = 0;
 };
 
 class Law {

@@ -25,17 +25,16 @@ const contact::DirectedElastica& RestOfElasticBlades::of(int blade) const {
 }
 
 bool RestOfElasticBlades::settle(const State& state, std::vector<OpenContact>& contacts, const Tell& tell) {
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    OpenContact& contact = contacts[i];
+  for (OpenContact& contact : contacts) {
     if (contact.slip == 0.0) {
       if (rests(contact, state)) continue;
-      if (!let_go(state, contacts, i)) return false;
+      if (!let_go(state, contacts, contact)) return false;
       tell(contact);
     } else if (may_open_at_rest(contact, state)) {
       OpenContact bent = contact;
       if (forward(bent, contact.slip, state) >= -slip_rounding(state)) continue;
       contact = bent;
-      if (!arrest(state, contacts, i)) return false;
+      if (!arrest(state, contacts, contact)) return false;
     }
   }
   return true;
@@ -107,9 +106,9 @@ double RestOfElasticBlades::forward(OpenContact& contact, double slip, const Sta
   return stands ? slip * force.slip_velocity : -std::numeric_limits<double>::infinity();
 }
 
-bool RestOfElasticBlades::arrest(const State& state, std::vector<OpenContact>& contacts,
-                                 std::size_t contact) {
-  OpenContact there = contacts[contact];
+bool RestOfElasticBlades::arrest(const State& state, const std::vector<OpenContact>& /*contacts*/,
+                                 OpenContact& contact) {
+  OpenContact there = contact;
   const double slip = there.slip;
   if (!come_to_rest(there, state)) {
     // v that has been located as zero has any sign, the more so where friction hardly moves the tip.
@@ -117,15 +116,15 @@ bool RestOfElasticBlades::arrest(const State& state, std::vector<OpenContact>& c
     // Neither direction slips as it should: v may be zero next to the other one.
     if (!slips && !rests(there, state)) return false;
   }
-  contacts[contact] = there;
+  contact = there;
   return true;
 }
 
-bool RestOfElasticBlades::let_go(const State& state, std::vector<OpenContact>& contacts,
-                                 std::size_t contact) {
-  OpenContact there = contacts[contact];
-  if (leave_rest(there, state) < -slip_rounding(state)) return rests(contacts[contact], state);
-  contacts[contact] = there;
+bool RestOfElasticBlades::let_go(const State& state, const std::vector<OpenContact>& /*contacts*/,
+                                 OpenContact& contact) {
+  OpenContact there = contact;
+  if (leave_rest(there, state) < -slip_rounding(state)) return rests(contact, state);
+  contact = there;
   return true;
 }
 

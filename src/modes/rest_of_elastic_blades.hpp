@@ -34,10 +34,10 @@ class RestOfElasticBlades : public RestJudge, public TipPlaces {
   bool settle(const State& state, std::vector<OpenContact>& contacts, const Tell& tell) override;
   /// A slipping tip whose slip velocity has come to zero, or is against its direction: rests where it can,
   /// and slips the other way where it cannot.
-  bool arrest(const State& state, std::vector<OpenContact>& contacts, std::size_t contact) override;
+  bool arrest(const State& state, const std::vector<OpenContact>& contacts, OpenContact& contact) override;
   /// It slips the way it is pulled. Where neither direction is that of its v it has been let go a little
   /// early, and rests on; false, and nothing changed, where it does not.
-  bool let_go(const State& state, std::vector<OpenContact>& contacts, std::size_t contact) override;
+  bool let_go(const State& state, const std::vector<OpenContact>& contacts, OpenContact& contact) override;
   /// Puts a slipping tip to rest where friction can hold it next to where it slips; false, and on where it
   /// slips, where not.
   bool come_to_rest(OpenContact& contact, const State& state) const;

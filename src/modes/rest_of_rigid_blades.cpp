@@ -28,16 +28,16 @@ bool RestOfRigidBlades::settle(const State& state, std::vector<OpenContact>& con
   }
 }
 
-bool RestOfRigidBlades::arrest(const State& /*state*/, std::vector<OpenContact>& contacts,
-                               std::size_t contact) {
+bool RestOfRigidBlades::arrest(const State& /*state*/, const std::vector<OpenContact>& contacts,
+                               OpenContact& contact) {
   const auto count = std::ranges::count(contacts, 0.0, &OpenContact::slip);
-  contacts[contact].slip =
-      count >= static_cast<std::ptrdiff_t>(contact::kMostAtRest) ? -contacts[contact].slip : 0.0;
+  contact.slip = count >= static_cast<std::ptrdiff_t>(contact::kMostAtRest) ? -contact.slip : 0.0;
   return true;
 }
 
-bool RestOfRigidBlades::let_go(const State& state, std::vector<OpenContact>& contacts, std::size_t contact) {
-  contacts[contact].slip = std::copysign(1.0, at_rest(state, contacts, contact).coefficient());
+bool RestOfRigidBlades::let_go(const State& state, const std::vector<OpenContact>& contacts,
+                               OpenContact& contact) {
+  contact.slip = std::copysign(1.0, at_rest(state, contacts, contact).coefficient());
   return true;
 }
 
@@ -86,9 +86,10 @@ RestOfRigidBlades::Balance RestOfRigidBlades::balance(const State& state, Contac
 }
 
 RestOfRigidBlades::AtRest RestOfRigidBlades::at_rest(const State& state, Contacts contacts,
-                                                     std::size_t contact) const {
+                                                     const OpenContact& contact) const {
   const Balance now = balance(state, contacts);
-  return now.count == 2 && now.at_rest[1].contact == contact ? now.at_rest[1] : now.at_rest[0];
+  const bool is_second = now.count == 2 && contacts[now.at_rest[1].contact].blade == contact.blade;
+  return now.at_rest[is_second ? 1 : 0];
 }
 
 }  // namespace rubatlas::modes

@@ -33,9 +33,9 @@ class RestOfRigidBlades : public RestJudge, public TipPlaces {
   /// direction in which they are pulled. A rigid tip can always do either: true.
   bool settle(const State& state, std::vector<OpenContact>& contacts, const Tell& tell) override;
   /// Where two tips rest already, a third passes through.
-  bool arrest(const State& state, std::vector<OpenContact>& contacts, std::size_t contact) override;
+  bool arrest(const State& state, const std::vector<OpenContact>& contacts, OpenContact& contact) override;
   /// It slips the way it is pulled.
-  bool let_go(const State& state, std::vector<OpenContact>& contacts, std::size_t contact) override;
+  bool let_go(const State& state, const std::vector<OpenContact>& contacts, OpenContact& contact) override;
 
   struct AtRest {
     std::size_t contact = 0;
@@ -59,7 +59,7 @@ class RestOfRigidBlades : public RestJudge, public TipPlaces {
   };
   [[nodiscard]] Balance balance(const State& state, Contacts contacts) const;
   /// A tip at rest of these contacts.
-  [[nodiscard]] AtRest at_rest(const State& state, Contacts contacts, std::size_t contact) const;
+  [[nodiscard]] AtRest at_rest(const State& state, Contacts contacts, const OpenContact& contact) const;
 
  protected:
   /// A contact under the friction of its slip, of which one at rest has none.

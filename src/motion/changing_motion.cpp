@@ -40,13 +40,6 @@ ending::PointStatus ChangingMotion::revolution(modes::MotionListener& listener, 
   return end == ending::PointStatus::done ? wear_off() : end;
 }
 
-WorkCounts ChangingMotion::work() const {
-  WorkCounts sum = work_;
-  sum += motion_->work();
-  sum.price = motion_->work().price;  // its meter already includes the earlier motions
-  return sum;
-}
-
 double ChangingMotion::clearance_growth() const {
   double largest = 0.0;
   for (std::size_t k = 0; k < lost_.size(); ++k) largest = std::max(largest, lost_[k] - lost_before_[k]);
@@ -60,7 +53,6 @@ ending::PointStatus ChangingMotion::change(modes::MotionListener& listener, int 
   if (!faster && !shorter_) return ending::PointStatus::done;
   speed_ = speed;
   shorter_ = false;
-  work_ += motion_->work();
   auto next = (*make_)(speed_, lost_);
   const ending::PointStatus status = next->take_over(*motion_);
   motion_ = std::move(next);

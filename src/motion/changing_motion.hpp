@@ -62,7 +62,6 @@ class ChangingMotion final : public PointMotion {
   ending::PointStatus start(const PointStart& start) override { return motion_->start(start); }
   ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
                                  int number) override;
-  ending::PointStatus take_over(PointMotion& before) override { return motion_->take_over(before); }
 
   [[nodiscard]] ending::StatusDetail status_detail() const override {
     return worn_out_ != ending::StatusDetail::none ? worn_out_ : motion_->status_detail();
@@ -71,7 +70,7 @@ class ChangingMotion final : public PointMotion {
   /// The length that each blade has lost [m].
   [[nodiscard]] Memory memory() const override { return Memory(lost_); }
   [[nodiscard]] double clearance_growth() const override;
-  [[nodiscard]] WorkCounts work() const override;
+  [[nodiscard]] WorkCounts work() const override { return motion_->work(); }
 
  private:
   ending::PointStatus change(modes::MotionListener& listener, int number);
@@ -89,7 +88,6 @@ class ChangingMotion final : public PointMotion {
   ending::StatusDetail worn_out_ = ending::StatusDetail::none;  ///< why wear ends the point
   std::optional<FrictionWork> friction_work_;
   std::unique_ptr<PointMotion> motion_;
-  WorkCounts work_;  ///< of the earlier motions of the point
 };
 
 }  // namespace rubatlas::motion

@@ -39,14 +39,9 @@ ending::PointStatus Motion::start(const PointStart& start) {
   time_ = start.time;
   undecided_ = true;
   phase_ = nullptr;
-  contacts_.clear();
   // Who looks for an orbit may ask for a place that is none.
   if (!state_.allFinite()) return ends(ending::StatusDetail::beyond_precision);
-  for (int k = 0; k < machine_.blades.count(); ++k) {
-    const modes::TipPlace at = place(k);
-    const bool touches = k == start.blade || at.pose.gap > 0.0;
-    if (touches && !open(k, at)) return ends(ending::StatusDetail::no_equilibrium);
-  }
+  if (!find_contacts({}, start.blade)) return ends(ending::StatusDetail::no_equilibrium);
   ended_by_ = start.blade >= 0 ? modes::Guard::touch_down : modes::Guard::horizon;
   if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
   if (!flight_.resolves(machine_.constants.period())) return ends(ending::StatusDetail::beyond_precision);
@@ -60,16 +55,10 @@ ending::PointStatus Motion::take_over(PointMotion& before) {
   auto& other = dynamic_cast<Motion&>(before);
   state_ = other.state_;
   meter_ = other.meter_;
-  const std::vector<modes::OpenContact> held = other.contacts_now();
-  contacts_.clear();
-  for (int k = 0; k < machine_.blades.count(); ++k) {
-    const modes::TipPlace at = place(k);
-    const auto before_change = std::ranges::find(held, k, &modes::OpenContact::blade);
-    const bool found =
-        before_change == held.end() ? at.pose.gap <= 0.0 || open(k, at) : keep(*before_change, at);
-    if (!found) return ends(ending::StatusDetail::no_equilibrium);
-  }
-  return ending::PointStatus::done;
+  work_ = other.work();
+  constexpr int kNone = -1;
+  return ends(find_contacts(other.contacts_now(), kNone) ? ending::StatusDetail::none
+                                                         : ending::StatusDetail::no_equilibrium);
 }
 
 std::vector<modes::OpenContact> Motion::contacts_now() {
@@ -111,9 +100,9 @@ WorkCounts Motion::work() const {
     result.steps += phase.steps();
     result.rejected_steps += phase.rejected();
   });
-  result.elastica_evaluations = law().evaluations();
+  result.elastica_evaluations += law().evaluations();
   result.price = meter_.total();
-  result.gap_evaluations = search_.evaluations();
+  result.gap_evaluations += search_.evaluations();
   return result;
 }
 
@@ -229,6 +218,19 @@ bool Motion::begins_to_skim() {
 
 // Contacts.
 
+/// The contacts where the blades stand now. Those that were `held` go on; others open whose tips are in the
+/// ring, or that of `touching`, which is at it. False where no force exists (MODEL 5).
+bool Motion::find_contacts(const std::vector<modes::OpenContact>& held, int touching) {
+  contacts_.clear();
+  for (int k = 0; k < machine_.blades.count(); ++k) {
+    const modes::TipPlace at = place(k);
+    const auto before = std::ranges::find(held, k, &modes::OpenContact::blade);
+    const bool touches = k == touching || at.pose.gap > 0.0;
+    if (!(before != held.end() ? keep(*before, at) : !touches || open(k, at))) return false;
+  }
+  return true;
+}
+
 /// Opens the contact of a blade at the tip's place. False where no force exists (MODEL 5).
 bool Motion::open(int blade, const modes::TipPlace& at) {
   const double velocity = contact::undeformed_slip_velocity(law().geometry(blade), at.pose, at.speed);
@@ -341,8 +343,7 @@ ending::StatusDetail Motion::snap(Contact contact, modes::MotionListener& listen
 
 /// A tip at rest is no longer held, and slips in the direction of the pull.
 ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& listener) {
-  const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
-  if (!modes_.let_go(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
+  if (!modes_.let_go(unbent(), contacts_, *contact)) return ending::StatusDetail::slip_undecided;
   if (contact->slip == 0.0) {  // it has been let go a little early, and rests on
     const bool has_moved = reversal_cycle(*contact) > 0.0;
     return has_moved ? ending::StatusDetail::none : ending::StatusDetail::slip_undecided;
@@ -363,8 +364,7 @@ ending::StatusDetail Motion::reverse_slip(Contact contact, modes::MotionListener
   if (modes::RestJudge* judge = modes_.rest_judge()) {
     // Nothing moves: it neither rests nor slips.
     if (!(cycle > 0.0)) return ending::StatusDetail::slip_undecided;
-    const auto place_in_list = static_cast<std::size_t>(contact - contacts_.begin());
-    if (!judge->arrest(unbent(), contacts_, place_in_list)) return ending::StatusDetail::slip_undecided;
+    if (!judge->arrest(unbent(), contacts_, *contact)) return ending::StatusDetail::slip_undecided;
     settled = settle_others(contact->blade, listener);
   } else {
     const bool accumulated = cycle < kShortestCycle;  // MODEL 4.4

@@ -28,7 +28,8 @@ class PointMotion {
   /// The next revolution. `number` counts from the first sampled revolution and is negative in the transient.
   virtual ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
                                          int number) = 0;
-  /// Goes on at phase 0 from where a motion of the same kind, with another speed or other blades, has ended.
+  /// Goes on at phase 0 from where a motion of the same kind, with another speed or other blades, has ended,
+  /// and counts its work in.
   /// Throws std::logic_error for methods that ours is compared with.
   virtual ending::PointStatus take_over(PointMotion& /*before*/) {
     throw std::logic_error("no other motion goes on from one of this method");
