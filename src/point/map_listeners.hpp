@@ -1,9 +1,9 @@
 /// What follows a motion for its maps: from section to section, and from touch-down to touch-down.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <complex>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -112,10 +112,7 @@ class Returning final : public modes::MotionListener {
   }
   void piece(trajectory::MotionPiece& piece) override {
     if (!begun_) {
-      std::complex<double> force;
-      for (std::size_t contact = 0; contact < piece.contact_count(); ++contact)
-        force += piece.contact_force(contact, piece.begin()).on_rotor;
-      rate_at_start_ = flow_->rate(start_.time, start_.state, force);
+      rate_at_start_ = flow_->rate(start_.time, start_.state, flow_->force_in(piece, piece.begin()));
       begun_ = true;
     }
     mapping_.piece(piece);
@@ -131,7 +128,7 @@ class Returning final : public modes::MotionListener {
     map.admissible = distance <= kTimeOfTouchdown * period_;
     map.end = piece.state(target);
     map.rate_at_start = rate_at_start_;
-    map.rate_at_end = flow_->rate(target, map.end, 0.0);
+    map.rate_at_end = flow_->rate(target, map.end, Eigen::Vector2d::Zero());
     arriving_ = Arrival{map, distance, false};
     consider();
   }

@@ -185,7 +185,7 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
 std::optional<ForceSlopes> ContactStiffness::along_path(const trajectory::PathPoint& point,
                                                         const PathScale& scale,
                                                         const Eigen::Vector2d& acceleration) const {
-  ForceSlopes sum;
+  ForceSlopes sum = ForceSlopes::Zero();
   for (const Contact& contact : point.contacts) {
     const auto there = tip(contact, point.time, point.state);
     if (!there) return std::nullopt;
@@ -201,11 +201,8 @@ std::optional<ForceSlopes> ContactStiffness::along_path(const trajectory::PathPo
       lambda =
           (point.time_rate * by_time - rates.dot(by_bend)) / (determinant * by_time + drift.dot(by_bend));
     }
-    Eigen::Matrix<double, 2, 4> slopes;
-    slopes << there->by_state(there->force_x, point.time_rate, lambda),
-        there->by_state(there->force_y, point.time_rate, lambda);
-    sum.by_place += slopes.leftCols<2>();
-    sum.by_velocity += slopes.rightCols<2>();
+    sum.row(0) += there->by_state(there->force_x, point.time_rate, lambda);
+    sum.row(1) += there->by_state(there->force_y, point.time_rate, lambda);
   }
   return sum;
 }

@@ -29,11 +29,8 @@
 
 namespace rubatlas::variation {
 
-/// Derivatives of a contact's force on the rotor by c and c', times τ_θ.
-struct ForceSlopes {
-  Eigen::Matrix2d by_place = Eigen::Matrix2d::Zero();     ///< (df/dc) τ_θ [N/m]
-  Eigen::Matrix2d by_velocity = Eigen::Matrix2d::Zero();  ///< (df/dc') τ_θ [N per (m per unit τ)]
-};
+/// Derivatives of a contact's force on the rotor by c [N/m] and c' [N per (m per unit τ)], times τ_θ.
+using ForceSlopes = Eigen::Matrix<double, 2, 4, Eigen::RowMajor>;
 
 /// Sizes of τ_θ, and of u_θ or κ_θ and φ_θ, on a piece, against which their errors count.
 struct PathScale {

@@ -87,8 +87,14 @@ TangentFlow::TangentFlow(const settings::Scene& line)
   }
   if (effects::acts<&Effects::support>(line)) supported_ = line;
   const double frequency = line.rotor.natural_frequency;
-  if (effects::acts<&Effects::ring_body>(line))
+  const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
+  by_force_ = force_unit_ * one;
+  seen_ = one;
+  if (effects::acts<&Effects::ring_body>(line)) {
     ring_.emplace(line.ring_body->mass, 1.0 / line.ring_body->compliance, line.ring_body->damping, frequency);
+    by_force_ = (Eigen::Matrix<double, 4, 2>() << by_force_, -ring_->force_unit() * one).finished();
+    seen_ = (Eigen::Matrix<double, 2, 4>() << one, -one).finished();
+  }
   const auto add = [&](const auto& load) {
     const std::complex<double> deflection = load->deflection(1.0 / force_unit_, frequency);
     static_load_ += Eigen::Vector2d(deflection.real(), deflection.imag());
@@ -203,25 +209,6 @@ Tangents TangentFlow::after_flight(double duration) const {
   return tangents;
 }
 
-TangentFlow::Coordinates TangentFlow::accelerated_by(const Eigen::Vector2d& force) const {
-  Coordinates result(tangents_.rows() / 2);
-  result.head<2>() = force_unit_ * force;
-  if (ring_) result.tail<2>() = -ring_->force_unit() * force;
-  return result;
-}
-
-Eigen::RowVectorXd TangentFlow::by_coordinates(const Eigen::RowVector4d& by_seen) const {
-  const Eigen::Index velocities = tangents_.rows() / 2;
-  Eigen::RowVectorXd result(tangents_.rows());
-  result.segment<2>(0) = by_seen.head<2>();
-  result.segment<2>(velocities) = by_seen.tail<2>();
-  if (ring_) {
-    result.segment<2>(2) = -by_seen.head<2>();
-    result.segment<2>(velocities + 2) = -by_seen.tail<2>();
-  }
-  return result;
-}
-
 Eigen::Vector2d TangentFlow::seen_acceleration(const trajectory::PathPoint& at,
                                                const Eigen::Vector2d& force) const {
   const Eigen::Vector2d place(at.state[0], at.state[1]);
@@ -237,11 +224,11 @@ Eigen::Vector2d TangentFlow::seen_acceleration(const trajectory::PathPoint& at,
 }
 
 std::array<double, 4> TangentFlow::rate(double time, const trajectory::State& state,
-                                        const std::complex<double>& force) const {
+                                        const Eigen::Vector2d& force) const {
   trajectory::PathPoint at;
   at.time = time;
   at.state = state;
-  const Eigen::Vector2d acceleration = seen_acceleration(at, {force.real(), force.imag()});
+  const Eigen::Vector2d acceleration = seen_acceleration(at, force);
   return {state[2], state[3], acceleration[0], acceleration[1]};
 }
 
@@ -295,9 +282,11 @@ void TangentFlow::follow(trajectory::MotionPiece& piece) {
   Eigen::Matrix<double, kUnknowns, kColumns> right;
   for (Eigen::Index i = 0; i < kStages; ++i) {
     const auto& [point, shaft_acceleration] = stages[static_cast<std::size_t>(i)];
-    const auto of_force = contact_.along_path(point, scale, shaft_acceleration);
-    if (!of_force || !of_force->by_place.allFinite() || !of_force->by_velocity.allFinite())
-      return loses_track();
+    const std::optional<ForceSlopes> of_force = contact_.along_path(point, scale, shaft_acceleration);
+    if (!of_force) return loses_track();
+    const Eigen::Matrix2d by_place = of_force->leftCols<2>();
+    const Eigen::Matrix2d by_velocity = of_force->rightCols<2>();
+    if (!by_place.allFinite() || !by_velocity.allFinite()) return loses_track();
     Matrix stiffness = -time_rate[i] * restoring;
     Matrix resistance = time_rate[i] * damping;
     const auto add = [&](Matrix& to, const Eigen::Matrix2d& slope) {
@@ -308,8 +297,8 @@ void TangentFlow::follow(trajectory::MotionPiece& piece) {
         to.template bottomRightCorner<2, 2>() += ring_->force_unit() * slope;
       }
     };
-    add(stiffness, of_force->by_place);
-    add(resistance, -of_force->by_velocity);
+    add(stiffness, by_place);
+    add(resistance, -by_velocity);
     log_volume_ += method.weight[i] * (time_rate[i] * damping - resistance).trace();
     for (Eigen::Index j = 0; j < kStages; ++j) {
       matrix.template block<kCoordinates, kCoordinates>(kCoordinates * i, kCoordinates * j) -=
@@ -333,7 +322,7 @@ void TangentFlow::follow(trajectory::MotionPiece& piece) {
 }
 
 void TangentFlow::jump(trajectory::MotionPiece& piece, const Eigen::Vector2d& force) {
-  const Coordinates change = accelerated_by(force - force_);
+  const auto change = (by_force_ * (force - force_)).eval();
   const std::vector<Event> events = std::exchange(events_, {});
   if (change.isZero(0.0)) return;
   if (events.size() > 1) return loses_track();
@@ -353,7 +342,9 @@ void TangentFlow::jump(trajectory::MotionPiece& piece, const Eigen::Vector2d& fo
   } else {
     guard = contact_.gap(blade, piece.begin(), seen(at));
   }
-  const Eigen::RowVectorXd change_of_time = by_coordinates(guard.gradient) / guard.rate;
+  Eigen::RowVectorXd change_of_time(tangents_.rows());
+  change_of_time << guard.gradient.head<2>() * seen_, guard.gradient.tail<2>() * seen_;
+  change_of_time /= guard.rate;
   const Eigen::Index velocities = tangents_.rows() / 2;
   tangents_.bottomRows(velocities) += change * (change_of_time * tangents_).eval();
   // det(I + (0, Δa) ∇eᵀ/ė) = 1 + ∇eᵀ (0, Δa) / ė.

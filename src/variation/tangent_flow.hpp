@@ -11,7 +11,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <complex>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -57,14 +56,15 @@ class TangentFlow {
   [[nodiscard]] Tangents after_flight(double duration) const;
   /// d/dτ of the shaft's state at a time, under a force [N].
   [[nodiscard]] std::array<double, 4> rate(double time, const trajectory::State& state,
-                                           const std::complex<double>& force) const;
+                                           const Eigen::Vector2d& force) const;
+  /// What the contacts of a piece do to the rotor [N].
+  [[nodiscard]] static Eigen::Vector2d force_in(trajectory::MotionPiece& piece, double time);
 
  private:
   struct Event {
     int blade;
     bool of_slip;
   };
-  using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMostCoordinates, 1>;
 
   void fly(double duration) { tangents_ = after_flight(duration); }
   /// Longest flight over which tangents that were orthogonal keep their directions.
@@ -72,15 +72,9 @@ class TangentFlow {
   template <int kCoordinates>
   void follow(trajectory::MotionPiece& piece);
   void jump(trajectory::MotionPiece& piece, const Eigen::Vector2d& force);
-  /// B f [m per unit τ²], `force` in N.
-  [[nodiscard]] Coordinates accelerated_by(const Eigen::Vector2d& force) const;
-  /// Slopes by the state as the ring sees it, as slopes by (q, q').
-  [[nodiscard]] Eigen::RowVectorXd by_coordinates(const Eigen::RowVector4d& by_seen) const;
   /// z'' less r'' of the bodies under the force on the rotor [m per unit τ²].
   [[nodiscard]] Eigen::Vector2d seen_acceleration(const trajectory::PathPoint& at,
                                                   const Eigen::Vector2d& force) const;
-  [[nodiscard]] static Eigen::Vector2d force_in(trajectory::MotionPiece& piece, double time);
-
   /// Acceleration of the shaft by all that does not depend on its place [m per unit τ²].
   [[nodiscard]] Eigen::Vector2d forcing(double time) const;
 
@@ -95,6 +89,8 @@ class TangentFlow {
   std::optional<rotor::LinearSupport> support_;  ///< at Ω
   std::optional<rotor::RingBody> ring_;
   rotor::SupportMatrices shaft_;  ///< of the shaft, at Ω
+  Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::ColMajor, kMostCoordinates, 2> by_force_;  ///< B [m/N]
+  Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, kMostCoordinates> seen_;      ///< G
   ContactStiffness contact_;
   Tangents tangents_;
   std::vector<Event> events_;                        ///< since the last piece
