@@ -20,10 +20,13 @@ using collocation::ArcLaw;
 
 namespace {
 
-/// Whether a blade's table covers all bends that are valid.
-bool has_table(const blade::ElasticaCurve& curve, double max_shortening) {
-  const auto& knots = curve.over_asinh().knots();
-  return !knots.empty() && knots.back().shortening > max_shortening;
+/// Whether the tables of all blades cover all bends that are valid.
+bool have_tables(const auto& law, int count, double max_shortening) {
+  for (int k = 0; k < count; ++k) {
+    const auto& knots = law.of(k).curve().over_asinh().knots();
+    if (knots.empty() || !(knots.back().shortening > max_shortening)) return false;
+  }
+  return true;
 }
 bool takes(const std::optional<double>& root, OpenContact& contact) {
   if (root) contact.bending = *root;
@@ -47,9 +50,7 @@ std::unique_ptr<RestJudge> LawOfRigidBlades::rest_judge(const ContactSetup& setu
 
 std::unique_ptr<ArcLaw> LawOfDampedRing::arcs(const rotor::Machine& machine, double max_shortening) const {
   const int count = machine.blades.count();
-  for (int k = 0; k < count; ++k) {
-    if (!(of(k).curve().friction() > 0.0) || !has_table(of(k).curve(), max_shortening)) return nullptr;
-  }
+  if (!(of(0).curve().friction() > 0.0) || !have_tables(*this, count, max_shortening)) return nullptr;
   return std::make_unique<collocation::DampedLaw>(blades(), count, max_shortening);
 }
 
@@ -103,10 +104,7 @@ Standing LawOfInclinedLoads::snap(const TipPlace& at, OpenContact& contact) cons
 // Elastic blades under an axial load.
 
 std::unique_ptr<ArcLaw> LawOfAxialLoads::arcs(const rotor::Machine& machine, double max_shortening) const {
-  const int count = machine.blades.count();
-  for (int k = 0; k < count; ++k) {
-    if (!has_table(of(k).curve(), max_shortening)) return nullptr;
-  }
+  if (!have_tables(*this, machine.blades.count(), max_shortening)) return nullptr;
   return std::make_unique<collocation::AxialLaw>(blades(), max_shortening);
 }
 

@@ -132,12 +132,10 @@ TouchdownSearch::Outlook TouchdownSearch::outlook(double time, const rotor::Shaf
   const auto suits = [&](double h) {
     return !(in_pieces && FlightRow::kTimes * h > renewed) && FlightRow::remainder(fourth, h) <= allowed;
   };
-  std::size_t number = 0;
   double spacing = first_spacing_;
-  for (; number + 1 < kSpacings && !suits(spacing); ++number) spacing *= 0.5;
-  std::unique_ptr<FlightRow>& row = rows_by_spacing_[number];
-  if (!row) row = std::make_unique<FlightRow>(*machine_, spacing);
-  return {in_pieces ? time + renewed : until, fourth, row.get(), number > 0};
+  while (spacing > kClosest * first_spacing_ && !suits(spacing)) spacing *= 0.5;
+  FlightRow& row = rows_by_spacing_.try_emplace(spacing, *machine_, spacing).first->second;
+  return {in_pieces ? time + renewed : until, fourth, &row, spacing < first_spacing_};
 }
 
 /// In rows of times, and in steps only where a row leaves a doubt.

@@ -2,10 +2,9 @@
 /// tips that pass the ring meanwhile.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -68,9 +67,8 @@ class TouchdownSearch {
   static TurningBounds turning_bounds(const rotor::BladeSet& blades);
 
   /// Rows of half the spacing of the ones before: the shaft on a stiff support or a ring on a stiff spring
-  /// moves too fast for the first.
-  static constexpr std::size_t kSpacings = 12;
-  static constexpr double kClosest = 1.0 / (1U << (kSpacings - 1));  ///< the last spacing, of the first
+  /// moves too fast for the first. The last spacing, of the first.
+  static constexpr double kClosest = 1.0 / 2048.0;
 
   /// Bounds of a flight, the time up to which they hold, and the rows that they allow.
   struct Outlook {
@@ -138,7 +136,7 @@ class TouchdownSearch {
   TurningBounds turning_;
   double first_spacing_;  ///< of rows [τ]
   std::vector<double> clear_until_;
-  std::array<std::unique_ptr<FlightRow>, kSpacings> rows_by_spacing_;
+  std::map<double, FlightRow> rows_by_spacing_;
   // What was found along the flight, where it is kept: gaps row by row, and in them blade by blade.
   bool keeps_rows_ = false;
   std::vector<KeptRow> rows_;
