@@ -54,39 +54,34 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
   SteppedMotion& operator=(const SteppedMotion&) = delete;
 
   /// Starts at phase 0; blades with g > 0 are in contact (MODEL 4.4).
-  ending::PointStatus start(const motion::PointStart& start) override {
+  ending::StatusDetail start(const motion::PointStart& start) override {
     if (start.blade >= 0) throw std::logic_error("this motion does not start at a touch-down");
     SteppedState full;
     full << rotor::as_state(start.state), 0.0;
-    if (!full.isFinite().all()) return ends(ending::StatusDetail::beyond_precision);
+    if (!full.isFinite().all()) return ending::StatusDetail::beyond_precision;
     for (std::size_t k = 0; k < system_.blades().size(); ++k) {
       const contact::Pose at = system_.pose(k, full);
       system_.blades()[k] = {at.gap > 0.0, system_.opening_slip(at)};
     }
-    return ends(begin(full));
+    return begin(full);
   }
 
   /// One revolution.
-  ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
-                                 int /*number*/) override {
+  ending::StatusDetail revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                  int /*number*/) override {
     const double period = machine_.constants.period();
     meter_.begin_revolution(go_on);
     for (std::int64_t step = 1;; ++step) {
-      if (const ending::PointStatus status = make_step(static_cast<double>(step), period);
-          status != ending::PointStatus::done) {
-        return status;
-      }
-      const ending::PointStatus status = finish_step(listener);
-      if (status != ending::PointStatus::done) return status;
+      ending::StatusDetail why = make_step(static_cast<double>(step), period);
+      if (why == ending::StatusDetail::none) why = finish_step(listener);
+      if (why != ending::StatusDetail::none) return why;
       if (step_.start()[kSteppedTime] >= period) {
         step_.shift(kSteppedTime, -period);
         ++work_.revolutions;
-        return ending::PointStatus::done;
+        return ending::StatusDetail::none;
       }
     }
   }
-  /// What ended the motion, where that is not done.
-  [[nodiscard]] ending::StatusDetail status_detail() const override { return detail_; }
 
   [[nodiscard]] rotor::ShaftAndRing state() const override {
     return rotor::shaft_and_ring(step_.start().template head<4>());
@@ -139,11 +134,6 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
 
   static constexpr double kSmallestSize = 1e-15;  ///< in τ
 
-  ending::PointStatus ends(ending::StatusDetail why) {
-    detail_ = why;
-    return ending::status_of(why);
-  }
-
   /// Counts what the attempt before has cost; false where the revolution is to end here.
   bool spend() {
     const std::uint64_t evaluations = law_->evaluations();
@@ -178,12 +168,12 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
   }
 
   /// The `number`-th step of a revolution, counted from 1.
-  ending::PointStatus make_step(double number, double period) {
+  ending::StatusDetail make_step(double number, double period) {
     if constexpr (!Scheme::kAdaptive) {
-      if (!spend()) return ends(meter_.why());
+      if (!spend()) return meter_.why();
       if (!step_.attempt(system_, size_)) return why_not();
       step_.end()[kSteppedTime] = number == steps_in_revolution_ ? period : size_ * number;
-      return ending::PointStatus::done;
+      return ending::StatusDetail::none;
     } else {
       const double remaining = period - step_.start()[kSteppedTime];
       while (true) {
@@ -196,7 +186,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
         } else if (remaining < 2.0 * size) {
           size = 0.5 * remaining;
         }
-        if (!spend()) return ends(meter_.why());
+        if (!spend()) return meter_.why();
         const bool evaluated = step_.attempt(system_, size);
         const double error = evaluated ? scaled_error() : std::numeric_limits<double>::infinity();
         const double proposed = size * integrate::step_factor(error, Scheme::Table::kEstimatePower);
@@ -204,21 +194,20 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
           // A step that was cut short does not make the next one shorter.
           size_ = size < wanted ? std::max(proposed, wanted) : proposed;
           if (last) step_.end()[kSteppedTime] = period;
-          return ending::PointStatus::done;
+          return ending::StatusDetail::none;
         }
         ++work_.rejected_steps;
         system_.blades() = before_;
         size_ = proposed;
-        if (!(size_ > kSmallestSize))
-          return evaluated ? ends(ending::StatusDetail::step_too_short) : why_not();
+        if (!(size_ > kSmallestSize)) return evaluated ? ending::StatusDetail::step_too_short : why_not();
       }
     }
   }
 
   /// Why the last step could not be made.
-  ending::PointStatus why_not() {
-    return ends(step_.start().isFinite().all() ? ending::StatusDetail::no_equilibrium
-                                               : ending::StatusDetail::beyond_precision);
+  ending::StatusDetail why_not() {
+    return step_.start().isFinite().all() ? ending::StatusDetail::no_equilibrium
+                                          : ending::StatusDetail::beyond_precision;
   }
 
   [[nodiscard]] double scaled_error() const {
@@ -235,34 +224,33 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
   }
 
   /// Looks at what happened in the step, hands it over, and goes on from its end or its event.
-  ending::PointStatus finish_step(modes::MotionListener& listener) {
+  ending::StatusDetail finish_step(modes::MotionListener& listener) {
     ++work_.steps;
     SteppedEvent event;
     if (Scheme::kLocated)
       event = first_event(system_, before_, [this](double part) { return state_at(part); });
     const bool cut = event.fraction < 1.0;
     const SteppedState end = state_at(event.fraction);
-    if (!end.isFinite().all()) return ends(ending::StatusDetail::beyond_precision);
+    if (!end.isFinite().all()) return ending::StatusDetail::beyond_precision;
     if (std::hypot(end[0], end[1] + machine_.constants.misalignment) >= law_->geometry(0).ring_radius)
-      return ends(ending::StatusDetail::shaft_at_ring);
-    if (!cut && system_.shortening() > limits_.max_shortening)
-      return ends(ending::StatusDetail::shortening_limit);
+      return ending::StatusDetail::shaft_at_ring;
+    if (!cut && system_.shortening() > limits_.max_shortening) return ending::StatusDetail::shortening_limit;
     end_time_ = end[kSteppedTime];
     if (end_time_ > begin()) listener.piece(*this);
     bool changed = cut;
     if (Scheme::kLocated) {
       if (event.kind != modes::Guard::horizon) {
-        if (!meter_.spend(modes::Work::events, modes::WorkPrice::kEvent)) return ends(meter_.why());
+        if (!meter_.spend(modes::Work::events, modes::WorkPrice::kEvent)) return meter_.why();
         change(event.kind, event.blade, end, listener);
         changed = true;
       }
     } else {
       changed = change_at_end(end, listener);
     }
-    if (changed) return ends(begin(end));
+    if (changed) return begin(end);
     step_.accept();
     look_around();
-    return ending::PointStatus::done;
+    return ending::StatusDetail::none;
   }
 
   /// Opens, closes and reverses contacts by what the end of a step shows. True where that changes the force
@@ -313,7 +301,6 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
   std::vector<std::size_t> open_;     ///< blades in contact there
   modes::WorkMeter meter_{modes::WorkBound::kStepped};
   std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price the meter knows
-  ending::StatusDetail detail_ = ending::StatusDetail::none;
   motion::WorkCounts work_;
 };
 

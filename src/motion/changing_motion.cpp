@@ -30,14 +30,14 @@ ChangingMotion::ChangingMotion(const settings::Scene& line, double speed_ratio, 
   motion_ = make(speed_, lost_);
 }
 
-ending::PointStatus ChangingMotion::revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
-                                               int number) {
-  const ending::PointStatus status = change(listener, number);
-  if (status != ending::PointStatus::done) return status;
+ending::StatusDetail ChangingMotion::revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                                int number) {
+  const ending::StatusDetail changed = change(listener, number);
+  if (changed != ending::StatusDetail::none) return changed;
   if (!wear_) return motion_->revolution(listener, go_on, number);
   friction_work_->begin(listener);
-  const ending::PointStatus end = motion_->revolution(*friction_work_, go_on, number);
-  return end == ending::PointStatus::done ? wear_off() : end;
+  const ending::StatusDetail end = motion_->revolution(*friction_work_, go_on, number);
+  return end == ending::StatusDetail::none ? wear_off() : end;
 }
 
 double ChangingMotion::clearance_growth() const {
@@ -47,31 +47,30 @@ double ChangingMotion::clearance_growth() const {
 }
 
 /// Makes a new motion for the next revolution and lets it take over, if speed or lengths have changed.
-ending::PointStatus ChangingMotion::change(modes::MotionListener& listener, int number) {
+ending::StatusDetail ChangingMotion::change(modes::MotionListener& listener, int number) {
   const double speed = ramp_ ? ramp_->speed_ratio(first_speed_, number) : speed_;
   const bool faster = speed != speed_;
-  if (!faster && !shorter_) return ending::PointStatus::done;
+  if (!faster && !shorter_) return ending::StatusDetail::none;
   speed_ = speed;
   shorter_ = false;
   auto next = (*make_)(speed_, lost_);
-  const ending::PointStatus status = next->take_over(*motion_);
+  const ending::StatusDetail why = next->take_over(*motion_);
   motion_ = std::move(next);
   if (faster) listener.speed_changes(speed_);
-  return status;
+  return why;
 }
 
 /// Takes off what the friction of the revolution has worn off; a blade that has lost too much ends the point.
-ending::PointStatus ChangingMotion::wear_off() {
+ending::StatusDetail ChangingMotion::wear_off() {
   const std::span<const double> work = friction_work_->of_blades();
   for (std::size_t k = 0; k < lost_.size(); ++k) {
     const double loss = wear_->rate * work[k];
     if (loss > 0.0) shorter_ = true;
     lost_[k] += loss;
-    if (!std::isfinite(loss)) worn_out_ = ending::StatusDetail::beyond_precision;
-    if (lost_[k] > longest_loss_) worn_out_ = ending::StatusDetail::worn_out;
-    if (worn_out_ != ending::StatusDetail::none) break;
+    if (lost_[k] > longest_loss_) return ending::StatusDetail::worn_out;
+    if (!std::isfinite(loss)) return ending::StatusDetail::beyond_precision;
   }
-  return ending::status_of(worn_out_);
+  return ending::StatusDetail::none;
 }
 
 }  // namespace rubatlas::motion

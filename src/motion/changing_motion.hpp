@@ -59,13 +59,10 @@ class ChangingMotion final : public PointMotion {
   ChangingMotion(const settings::Scene& line, double speed_ratio, const Memory& memory,
                  const MakeMotion& make);
 
-  ending::PointStatus start(const PointStart& start) override { return motion_->start(start); }
-  ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
-                                 int number) override;
+  ending::StatusDetail start(const PointStart& start) override { return motion_->start(start); }
+  ending::StatusDetail revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                  int number) override;
 
-  [[nodiscard]] ending::StatusDetail status_detail() const override {
-    return worn_out_ != ending::StatusDetail::none ? worn_out_ : motion_->status_detail();
-  }
   [[nodiscard]] rotor::ShaftAndRing state() const override { return motion_->state(); }
   /// The length that each blade has lost [m].
   [[nodiscard]] Memory memory() const override { return Memory(lost_); }
@@ -73,8 +70,8 @@ class ChangingMotion final : public PointMotion {
   [[nodiscard]] WorkCounts work() const override { return motion_->work(); }
 
  private:
-  ending::PointStatus change(modes::MotionListener& listener, int number);
-  ending::PointStatus wear_off();
+  ending::StatusDetail change(modes::MotionListener& listener, int number);
+  ending::StatusDetail wear_off();
 
   const MakeMotion* make_;
   double first_speed_;  ///< Ω of the transient and the first sampled revolution
@@ -85,7 +82,6 @@ class ChangingMotion final : public PointMotion {
   std::vector<double> lost_before_;  ///< when the point started
   double longest_loss_ = 0.0;        ///< [m]
   bool shorter_ = false;             ///< a blade has lost length in the last revolution
-  ending::StatusDetail worn_out_ = ending::StatusDetail::none;  ///< why wear ends the point
   std::optional<FrictionWork> friction_work_;
   std::unique_ptr<PointMotion> motion_;
 };

@@ -31,7 +31,7 @@ Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Se
   contacts_.reserve(static_cast<std::size_t>(machine_.blades.count()));
 }
 
-ending::PointStatus Motion::start(const PointStart& start) {
+ending::StatusDetail Motion::start(const PointStart& start) {
   state_ = rotor::shaft_and_ring(rotor::as_state(start.state));
   // Without a memory the ring starts at its place of rest, without velocity.
   const std::span<const double> ring = start.memory.view();
@@ -40,25 +40,25 @@ ending::PointStatus Motion::start(const PointStart& start) {
   undecided_ = true;
   phase_ = nullptr;
   // Who looks for an orbit may ask for a place that is none.
-  if (!state_.allFinite()) return ends(ending::StatusDetail::beyond_precision);
-  if (!find_contacts({}, start.blade)) return ends(ending::StatusDetail::no_equilibrium);
+  if (!state_.allFinite()) return ending::StatusDetail::beyond_precision;
+  if (!find_contacts({}, start.blade)) return ending::StatusDetail::no_equilibrium;
   ended_by_ = start.blade >= 0 ? modes::Guard::touch_down : modes::Guard::horizon;
-  if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
-  if (!flight_.resolves(machine_.constants.period())) return ends(ending::StatusDetail::beyond_precision);
+  if (!place_ring()) return ending::StatusDetail::ring_unbalanced;
+  if (!flight_.resolves(machine_.constants.period())) return ending::StatusDetail::beyond_precision;
   modes::RestJudge* judge = modes_.rest_judge();
   if (judge != nullptr && !judge->settle(unbent(), contacts_, [](const modes::OpenContact&) {}))
-    return ends(ending::StatusDetail::slip_undecided);
-  return ends(state_.isFinite().all() ? ending::StatusDetail::none : ending::StatusDetail::beyond_precision);
+    return ending::StatusDetail::slip_undecided;
+  return state_.isFinite().all() ? ending::StatusDetail::none : ending::StatusDetail::beyond_precision;
 }
 
-ending::PointStatus Motion::take_over(PointMotion& before) {
+ending::StatusDetail Motion::take_over(PointMotion& before) {
   auto& other = dynamic_cast<Motion&>(before);
   state_ = other.state_;
   meter_ = other.meter_;
   work_ = other.work();
   constexpr int kNone = -1;
-  return ends(find_contacts(other.contacts_now(), kNone) ? ending::StatusDetail::none
-                                                         : ending::StatusDetail::no_equilibrium);
+  return find_contacts(other.contacts_now(), kNone) ? ending::StatusDetail::none
+                                                    : ending::StatusDetail::no_equilibrium;
 }
 
 std::vector<modes::OpenContact> Motion::contacts_now() {
@@ -71,21 +71,21 @@ std::vector<modes::OpenContact> Motion::contacts_now() {
   return contacts;
 }
 
-ending::PointStatus Motion::revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
-                                       int /*number*/) {
+ending::StatusDetail Motion::revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                        int /*number*/) {
   const double period = machine_.constants.period();
   meter_.begin_revolution(go_on);
   while (meter_.spend(modes::Work::events, price_of_last_event())) {
     if (undecided_) {
-      if (const auto why = begin_mode(); why != ending::StatusDetail::none) return ends(why);
+      if (const auto why = begin_mode(); why != ending::StatusDetail::none) return why;
     }
     const modes::ModeEnd end = phase_ == nullptr ? fly(period, listener) : touch(period, listener);
     if (end.guard == modes::Guard::horizon) return finish_revolution(period);
-    if (end.guard == modes::Guard::failed || end.guard == modes::Guard::left_validity) return ends(end.why);
-    if (const auto why = reset(end, listener); why != ending::StatusDetail::none) return ends(why);
-    if (!place_ring()) return ends(ending::StatusDetail::ring_unbalanced);
+    if (end.guard == modes::Guard::failed || end.guard == modes::Guard::left_validity) return end.why;
+    if (const auto why = reset(end, listener); why != ending::StatusDetail::none) return why;
+    if (!place_ring()) return ending::StatusDetail::ring_unbalanced;
   }
-  return ends(meter_.why());
+  return meter_.why();
 }
 
 Memory Motion::memory() const {
@@ -104,11 +104,6 @@ WorkCounts Motion::work() const {
   result.price = meter_.total();
   result.gap_evaluations += search_.evaluations();
   return result;
-}
-
-ending::PointStatus Motion::ends(ending::StatusDetail why) {
-  detail_ = why;
-  return ending::status_of(why);
 }
 
 std::vector<contact::Geometry> Motion::geometries() const {
@@ -176,7 +171,7 @@ modes::ModeEnd Motion::touch(double period, modes::MotionListener& listener) {
   return end;
 }
 
-ending::PointStatus Motion::finish_revolution(double period) {
+ending::StatusDetail Motion::finish_revolution(double period) {
   if (phase_ == nullptr) undecided_ = true;
   ++work_.revolutions;
   time_ -= period;  // exactly 0
@@ -184,7 +179,7 @@ ending::PointStatus Motion::finish_revolution(double period) {
     open.reversed -= period;
     open.reversed_before -= period;
   }
-  return ends(state_.isFinite().all() ? ending::StatusDetail::none : ending::StatusDetail::beyond_precision);
+  return state_.isFinite().all() ? ending::StatusDetail::none : ending::StatusDetail::beyond_precision;
 }
 
 /// From the contacts to the mode for them, or why none can begin.

@@ -28,13 +28,12 @@ class Motion final : public PointMotion {
   Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings);
 
   /// Blades with g > 0 are in contact (MODEL 4.4).
-  ending::PointStatus start(const PointStart& start) override;
-  ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
-                                 int number) override;
+  ending::StatusDetail start(const PointStart& start) override;
+  ending::StatusDetail revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                  int number) override;
   /// Contacts stay, with their slip directions (MODEL 4.4), where the blade still reaches the ring.
-  ending::PointStatus take_over(PointMotion& before) override;
+  ending::StatusDetail take_over(PointMotion& before) override;
 
-  [[nodiscard]] ending::StatusDetail status_detail() const override { return detail_; }
   [[nodiscard]] rotor::ShaftAndRing state() const override { return state_; }
   /// The state of a ring that moves.
   [[nodiscard]] Memory memory() const override;
@@ -43,7 +42,6 @@ class Motion final : public PointMotion {
  private:
   using Contact = std::vector<modes::OpenContact>::iterator;
 
-  ending::PointStatus ends(ending::StatusDetail why);
   [[nodiscard]] std::vector<contact::Geometry> geometries() const;
   [[nodiscard]] std::int64_t price_of_last_event();
   /// Contacts as they are at the end of a revolution.
@@ -52,7 +50,7 @@ class Motion final : public PointMotion {
   // Modes.
   modes::ModeEnd fly(double period, modes::MotionListener& listener);
   modes::ModeEnd touch(double period, modes::MotionListener& listener);
-  ending::PointStatus finish_revolution(double period);
+  ending::StatusDetail finish_revolution(double period);
   ending::StatusDetail begin_mode();
   [[nodiscard]] bool any_rests() const {
     return std::ranges::count(contacts_, 0.0, &modes::OpenContact::slip) > 0;
@@ -88,7 +86,6 @@ class Motion final : public PointMotion {
   std::vector<modes::OpenContact> contacts_;
   rotor::ShaftAndRing state_ = rotor::ShaftAndRing::Zero();
   double time_ = 0.0;
-  ending::StatusDetail detail_ = ending::StatusDetail::none;
   WorkCounts work_;
   modes::Phase* phase_ = nullptr;                  ///< of the present mode in contact; null in flight
   bool under_law_of_rest_ = false;                 ///< that phase is

@@ -23,20 +23,18 @@ class PointMotion {
   PointMotion& operator=(const PointMotion&) = delete;
   virtual ~PointMotion() = default;
 
+  // Each says what has ended the motion, `none` where it goes on.
   /// Methods that ours is compared with throw std::logic_error at a touch-down.
-  virtual ending::PointStatus start(const PointStart& start) = 0;
+  virtual ending::StatusDetail start(const PointStart& start) = 0;
   /// The next revolution. `number` counts from the first sampled revolution and is negative in the transient.
-  virtual ending::PointStatus revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
-                                         int number) = 0;
+  virtual ending::StatusDetail revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
+                                          int number) = 0;
   /// Goes on at phase 0 from where a motion of the same kind, with another speed or other blades, has ended,
-  /// and counts its work in.
-  /// Throws std::logic_error for methods that ours is compared with.
-  virtual ending::PointStatus take_over(PointMotion& /*before*/) {
+  /// and counts its work in. Throws std::logic_error for methods that ours is compared with.
+  virtual ending::StatusDetail take_over(PointMotion& /*before*/) {
     throw std::logic_error("no other motion goes on from one of this method");
   }
 
-  /// What ended the motion, where its status is not `done`.
-  [[nodiscard]] virtual ending::StatusDetail status_detail() const = 0;
   /// State at the end of the last revolution; a ring that is not a body is at zero.
   [[nodiscard]] virtual rotor::ShaftAndRing state() const = 0;
   /// What the next point needs besides the shaft's state.

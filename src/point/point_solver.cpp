@@ -14,6 +14,9 @@
 #include "settings/linearisation.hpp"
 
 namespace rubatlas::point {
+
+using ending::StatusDetail;
+
 namespace {
 
 motion::SectionState section_of(const motion::PointMotion& motion) {
@@ -111,16 +114,16 @@ PointOutcome PointSolver::run(double speed_ratio, const motion::PointStart& star
     std::optional<Return> turn;
     if (exponents) {
       turn = return_from(*begun.motion, speed_ratio, begun.cycle.front(), period, true, go_on);
-      begun.ending.status = begun.motion->start(start_of(begun.cycle.front()));
+      begun.ending.detail = begun.motion->start(start_of(begun.cycle.front()));
     }
     recorder_.on_cycle(turn ? turn->jacobian : variation::Tangents{});
     revolutions = std::min(revolutions, period);
   }
-  if (begun.ending.status == ending::PointStatus::done)
+  if (begun.ending.detail == StatusDetail::none)
     begun.ending = sampled(*begun.motion, revolutions, recording, go_on);
   PointOutcome outcome;
-  outcome.status = begun.ending.status;
   outcome.detail = begun.ending.detail;
+  outcome.status = ending::status_of(outcome.detail);
   outcome.failed_revolution = begun.ending.failed_revolution;
   outcome.final_state.fill(std::numeric_limits<double>::quiet_NaN());
   const bool done = outcome.status == ending::PointStatus::done;
@@ -144,7 +147,7 @@ PointOutcome PointSolver::run(double speed_ratio, const motion::PointStart& star
 ending::PointStatus PointSolver::listen(double speed_ratio, const motion::PointStart& start,
                                         modes::MotionListener& listener) {
   AfterTransient begun = transient(speed_ratio, start, {});
-  return whole(begun, listener).status;
+  return ending::status_of(whole(begun, listener).detail);
 }
 
 Orbit PointSolver::orbit(double speed_ratio, const motion::PointStart& start) {
@@ -153,8 +156,8 @@ Orbit PointSolver::orbit(double speed_ratio, const motion::PointStart& start) {
                          scene_.blades.count);
   const Ending ending = whole(begun, listener);
   Orbit orbit = listener.take();
-  orbit.status = ending.status;
   orbit.detail = ending.detail;
+  orbit.status = ending::status_of(orbit.detail);
   orbit.failed_revolution = ending.failed_revolution;
   if (orbit.status == ending::PointStatus::done) orbit.final_memory = begun.motion->memory();
   return orbit;
@@ -177,19 +180,18 @@ auto PointSolver::transient(double speed_ratio, const motion::PointStart& start,
                        return return_from(*ahead, speed_ratio, from, count, derivative, go_on);
                      });
   }
-  const auto ended = [&](ending::PointStatus status, int revolution) {
+  const auto ended = [&](StatusDetail why, int revolution) {
     if (ahead) result.work += ahead->work();
-    const bool given_up = status == ending::PointStatus::pending;
-    result.ending = {status, result.motion->status_detail(), given_up ? -1 : revolution};
+    result.ending = {why, why == StatusDetail::given_up ? -1 : revolution};
     return std::move(result);
   };
-  ending::PointStatus status = result.motion->start(start);
-  if (status != ending::PointStatus::done) return ended(status, 0);
+  StatusDetail why = result.motion->start(start);
+  if (why != StatusDetail::none) return ended(why, 0);
   for (int revolution = 0; revolution < revolutions; ++revolution) {
-    status = result.motion->revolution(touches, go_on, revolution - revolutions);
-    if (status != ending::PointStatus::done) return ended(status, revolution);
+    why = result.motion->revolution(touches, go_on, revolution - revolutions);
+    if (why != StatusDetail::none) return ended(why, revolution);
     if (go_on && !go_on()) {
-      result.ending = {ending::PointStatus::pending, ending::StatusDetail::given_up};
+      result.ending = {StatusDetail::given_up};
       return result;
     }
     if (!settling) continue;
@@ -202,11 +204,11 @@ auto PointSolver::transient(double speed_ratio, const motion::PointStart& start,
     result.settled = revolution + 1;
     result.work += result.motion->work();
     result.motion = std::move(ahead);
-    status = result.motion->start(start_of(cycle->front()));
+    why = result.motion->start(start_of(cycle->front()));
     result.cycle = std::move(*cycle);
     break;
   }
-  return ended(status, status == ending::PointStatus::done ? -1 : revolutions);
+  return ended(why, why == StatusDetail::none ? -1 : revolutions);
 }
 
 std::optional<Return> PointSolver::return_from(motion::PointMotion& motion, double speed_ratio,
@@ -217,12 +219,12 @@ std::optional<Return> PointSolver::return_from(motion::PointMotion& motion, doub
   if (derivative) mapping.emplace(tangents_at(speed_ratio), point_of(speed_ratio));
   modes::MotionListener& listener = derivative ? static_cast<modes::MotionListener&>(*mapping) : touches;
   Return result;
-  ending::PointStatus status = motion.start(start_of(from));
-  for (int revolution = 0; status == ending::PointStatus::done && revolution < revolutions; ++revolution) {
-    status = motion.revolution(listener, go_on, revolution);
+  StatusDetail why = motion.start(start_of(from));
+  for (int revolution = 0; why == StatusDetail::none && revolution < revolutions; ++revolution) {
+    why = motion.revolution(listener, go_on, revolution);
     result.sections.push_back(whole_section(motion));
   }
-  if (status != ending::PointStatus::done) return std::nullopt;
+  if (why != StatusDetail::none) return std::nullopt;
   if (!derivative) {
     result.events = touches.take();
     return result;
@@ -237,31 +239,29 @@ std::optional<Return> PointSolver::return_from(motion::PointMotion& motion, doub
 }
 
 PointSolver::Ending PointSolver::whole(AfterTransient& begun, modes::MotionListener& listener) const {
-  if (begun.ending.status != ending::PointStatus::done) return begun.ending;
+  if (begun.ending.detail != StatusDetail::none) return begun.ending;
   return sampled(*begun.motion, scene_.protocol.sampled_revolutions, listener, {});
 }
 
 PointSolver::Ending PointSolver::sampled(motion::PointMotion& motion, int revolutions,
                                          modes::MotionListener& listener, const modes::GoOn& go_on) const {
-  ending::PointStatus status = ending::PointStatus::done;
   for (int revolution = 0; revolution < revolutions; ++revolution) {
-    status = motion.revolution(listener, go_on, revolution);
-    if (status == ending::PointStatus::pending) return {status, motion.status_detail()};
-    if (status != ending::PointStatus::done)
-      return {status, motion.status_detail(), scene_.protocol.transient_revolutions + revolution};
+    const StatusDetail why = motion.revolution(listener, go_on, revolution);
+    if (why == StatusDetail::given_up) return {why};
+    if (why != StatusDetail::none) return {why, scene_.protocol.transient_revolutions + revolution};
     listener.revolution_ends(section_of(motion));
-    if (go_on && !go_on()) return {ending::PointStatus::pending, ending::StatusDetail::given_up};
+    if (go_on && !go_on()) return {StatusDetail::given_up};
   }
-  return {status};
+  return {};
 }
 
 SectionMap PointSolver::section_map(double speed_ratio, const motion::PointStart& start, int revolutions) {
   const auto motion = motion_of(speed_ratio, start);
   Mapping mapping(tangents_at(speed_ratio), point_of(speed_ratio));
-  const ending::PointStatus status = follow(*motion, motion->start(start), mapping, revolutions);
+  const StatusDetail why = follow(*motion, motion->start(start), mapping, revolutions);
   SectionMap map = mapping.map();
-  map.status = status;
-  if (status != ending::PointStatus::done) map.detail = motion->status_detail();
+  map.detail = why;
+  map.status = ending::status_of(why);
   return map;
 }
 
@@ -269,11 +269,11 @@ TouchdownMap PointSolver::touchdown_map(double speed_ratio, const motion::PointS
   const auto motion = motion_of(speed_ratio, start);
   Returning returning(tangents_at(speed_ratio), point_of(speed_ratio), start, passings);
   const int revolutions = passings / scene_.blades.count + 2;  // the last of them holds the end
-  const ending::PointStatus status = follow(*motion, motion->start(start), returning, revolutions);
+  const StatusDetail why = follow(*motion, motion->start(start), returning, revolutions);
   TouchdownMap map = returning.map();
   // Whatever happens after the flight does not count.
-  map.map.status = map.complete ? ending::PointStatus::done : status;
-  if (map.map.status != ending::PointStatus::done) map.map.detail = motion->status_detail();
+  map.map.detail = map.complete ? StatusDetail::none : why;
+  map.map.status = ending::status_of(map.map.detail);
   return map;
 }
 
@@ -285,13 +285,13 @@ variation::TangentFlow& PointSolver::tangents_at(double speed_ratio) {
 trajectory::PointConstants PointSolver::point_of(double speed_ratio) const {
   return {constants_of(scene_, speed_ratio).period(), speed_ratio, scene_.blades.count};
 }
-ending::PointStatus PointSolver::follow(motion::PointMotion& motion, ending::PointStatus status,
-                                        modes::MotionListener& listener, int revolutions) {
-  for (int revolution = 0; status == ending::PointStatus::done && revolution < revolutions; ++revolution) {
-    status = motion.revolution(listener, {}, revolution);
+ending::StatusDetail PointSolver::follow(motion::PointMotion& motion, ending::StatusDetail why,
+                                         modes::MotionListener& listener, int revolutions) {
+  for (int revolution = 0; why == StatusDetail::none && revolution < revolutions; ++revolution) {
+    why = motion.revolution(listener, {}, revolution);
     listener.revolution_ends(section_of(motion));
   }
-  return status;
+  return why;
 }
 
 }  // namespace rubatlas::point

@@ -32,7 +32,6 @@ class PointSolver final : public LineSolver {
  private:
   /// How a motion ended.
   struct Ending {
-    ending::PointStatus status;
     ending::StatusDetail detail = ending::StatusDetail::none;
     std::int32_t failed_revolution = -1;
   };
@@ -49,8 +48,8 @@ class PointSolver final : public LineSolver {
   variation::TangentFlow& tangents_at(double speed_ratio);
   [[nodiscard]] trajectory::PointConstants point_of(double speed_ratio) const;
   /// So many revolutions of a motion that has started with this status.
-  static ending::PointStatus follow(motion::PointMotion& motion, ending::PointStatus status,
-                                    modes::MotionListener& listener, int revolutions);
+  static ending::StatusDetail follow(motion::PointMotion& motion, ending::StatusDetail why,
+                                     modes::MotionListener& listener, int revolutions);
   [[nodiscard]] std::unique_ptr<motion::PointMotion> motion_of(double speed_ratio,
                                                                const motion::PointStart& start) const;
   std::optional<Return> return_from(motion::PointMotion& motion, double speed_ratio, const Section& from,

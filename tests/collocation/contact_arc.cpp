@@ -133,7 +133,7 @@ std::optional<double> error_of_hybrid(const Machine& m, const LoneContact& conta
   const auto motion = hybrid_motion(m.rotor, rotor::BladeSet(angles, m.rotor.speed_ratio), m.law, kNoForcing,
                                     modes::ContactLimits{tolerance * kClearance, 0.5});
   LiftOff lift_off(contact.start.blade);
-  if (motion->start(rotor::as_array(contact.start.state)) != ending::PointStatus::done) return std::nullopt;
+  if (motion->start(rotor::as_array(contact.start.state)) != ending::StatusDetail::none) return std::nullopt;
   if (revolve(*motion, lift_off) != ending::PointStatus::done || !lift_off.found) return std::nullopt;
   return error_at_end(m, contact, from + lift_off.found->time, lift_off.found->state);
 }

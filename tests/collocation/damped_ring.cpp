@@ -57,9 +57,9 @@ struct Revolution {
 Revolution revolution(const ElasticOnDampers& m, double tolerance, bool collocates, TimeOnArcs& time) {
   const auto motion = hybrid_motion(machine_of(m.rotor.constants, m.rotor.blades), m.law,
                                     {tolerance * kClearanceOfSeveral, 0.5}, collocates);
-  const bool done = motion->start(rotor::as_array(m.kick)) == ending::PointStatus::done &&
-                    motion->revolution(time, {}, 0) == ending::PointStatus::done;
-  if (!done) return {std::nullopt, motion->status_detail()};
+  ending::StatusDetail why = motion->start(rotor::as_array(m.kick));
+  if (why == ending::StatusDetail::none) why = motion->revolution(time, {}, 0);
+  if (why != ending::StatusDetail::none) return {std::nullopt, why};
   return {rotor::as_array(rotor::shaft(motion->state())), ending::StatusDetail::none};
 }
 

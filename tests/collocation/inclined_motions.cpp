@@ -42,7 +42,7 @@ struct KickedRotor {
     const auto motion = hybrid_motion(rotor::Machine{rotor, blades, shaft, {}}, laws,
                                       {tolerance * kClearanceOfMotions, 0.5}, collocates);
     std::vector<trajectory::State> result;
-    if (motion->start(start) != ending::PointStatus::done) return result;
+    if (motion->start(start) != ending::StatusDetail::none) return result;
     for (int i = 0; i < kRevolutionsOfMotions; ++i) {
       if (revolve(*motion, listener) != ending::PointStatus::done) break;
       const auto state = motion->state();

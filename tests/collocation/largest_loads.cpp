@@ -66,7 +66,7 @@ void expect_no_sample_above_the_largest_load(int least_contacts) {
                               ? collocation_motion(rotor.constants, rotor.blades.count(), rotor.law, limits)
                               : hybrid_motion(rotor.constants, rotor.blades, rotor.law, kNoForcing, limits);
       LoadsOfPieces loads;
-      auto status = motion->start(rotor::as_array(start));
+      auto status = test::start(*motion, start);
       for (int i = 0; i < 20 && status == ending::PointStatus::done; ++i) status = revolve(*motion, loads);
       contacts += loads.contacts;
       SCOPED_TRACE(::testing::Message() << (collocated ? "collocation" : "hybrid") << ", rotor " << rotors);

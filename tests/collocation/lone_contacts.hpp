@@ -50,7 +50,7 @@ inline std::vector<LoneContact> lone_contacts(motion::PointMotion& motion, const
                                               int open, std::size_t enough = SIZE_MAX) {
   constexpr int kRevolutions = 5;
   LoneContacts contacts(open);
-  if (motion.start(rotor::as_array(start)) != ending::PointStatus::done) return {};
+  if (motion.start(rotor::as_array(start)) != ending::StatusDetail::none) return {};
   for (int i = 0; i < kRevolutions && contacts.found.size() < enough; ++i) {
     if (revolve(motion, contacts) != ending::PointStatus::done) break;
     contacts.drops_open_contacts();

@@ -89,8 +89,8 @@ std::optional<trajectory::State> after_revolution(const RigidRotor& m, const Law
   const rotor::BladeSet blades(m.blade_count, m.rotor.speed_ratio);
   const auto motion = hybrid_motion(machine_of(m.rotor, blades, kNoForcing, m.ring), law,
                                     {tolerance * kClearanceOfSeveral, 0.5}, collocates);
-  if (motion->start(rotor::as_array(m.kick)) != ending::PointStatus::done) return std::nullopt;
-  if (motion->revolution(events, {}, 0) != ending::PointStatus::done) return std::nullopt;
+  if (motion->start(rotor::as_array(m.kick)) != ending::StatusDetail::none) return std::nullopt;
+  if (motion->revolution(events, {}, 0) != ending::StatusDetail::none) return std::nullopt;
   return rotor::as_array(rotor::shaft(motion->state()));
 }
 
@@ -208,8 +208,8 @@ TEST(RigidBlades, AtRestDoNotSlipUntilTheyLeaveTheConeOfFriction) {
     const auto motion = hybrid_motion(machine_of(m.rotor, blades),
                                       law_of(m, contact::Friction::sticking(m.friction, m.friction)),
                                       {kTolerance * kClearanceOfSeveral, 0.5}, true);
-    if (motion->start(rotor::as_array(m.kick)) != ending::PointStatus::done) continue;
-    if (motion->revolution(tips, {}, 0) != ending::PointStatus::done) continue;
+    if (motion->start(rotor::as_array(m.kick)) != ending::StatusDetail::none) continue;
+    if (motion->revolution(tips, {}, 0) != ending::StatusDetail::none) continue;
     pieces += tips.pieces;
     loosenings += tips.loosenings;
     EXPECT_LT(tips.slip, kTolerance) << i;

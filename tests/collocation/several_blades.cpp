@@ -107,7 +107,7 @@ std::vector<Phase> phases_of(const Rotor& rotor, const rotor::State& start) {
   for (int k = 0; k < rotor.blades.count(); ++k) {
     if (pose_in(rotor, k, 0.0, start).gap > 0.0) return {};
   }
-  if (motion->start(rotor::as_array(start)) != ending::PointStatus::done) return {};
+  if (motion->start(rotor::as_array(start)) != ending::StatusDetail::none) return {};
   Phases phases;
   constexpr int kRevolutions = 4;
   for (int i = 0; i < kRevolutions; ++i) {

@@ -89,7 +89,7 @@ TEST(ManyBlades, BladesThatTouchAtTheSameInstantAllTouch) {
       const auto motion = hybrid_motion(rotor.constants(), rotor::BladeSet(blades, rotor.speed_ratio), law,
                                         kNoForcing, rotor.limits());
       auto recording = Recording(kNoPiece);
-      ASSERT_EQ(motion->start(rotor::as_array(start)), PointStatus::done);
+      ASSERT_EQ(motion->start(rotor::as_array(start)), ending::StatusDetail::none);
       revolve(*motion, recording);
       std::vector<modes::Event> touchdowns;
       for (const auto& entry : recording.events) {

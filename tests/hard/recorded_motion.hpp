@@ -97,7 +97,7 @@ RecordedMotion follow(const HardRotor& rotor, const rotor::BladeSet& blades, con
       hybrid_motion(machine_of(rotor.constants(), blades, forcing), law, rotor.limits(), collocates);
   Recording<OnPiece> recording(on_piece);
   RecordedMotion result;
-  result.status = motion->start(rotor::as_array(start));
+  result.status = test::start(*motion, start);
   for (; recording.revolution < revolutions && result.status == ending::PointStatus::done;
        ++recording.revolution) {
     result.status = revolve(*motion, recording);

@@ -95,7 +95,7 @@ TEST_P(ReferenceOrbit, EventsComeInTheSameOrderAtTheSameTimesWithTheSameForces) 
   const auto run = [&](const auto& forcing) {
     const auto motion =
         hybrid_motion(rotor, rotor::BladeSet(c.scene.blades.count, rotor.speed_ratio), law, forcing, limits);
-    ASSERT_EQ(motion->start(c.start), ending::PointStatus::done);
+    ASSERT_EQ(motion->start(c.start), ending::StatusDetail::none);
     for (int revolution = 0; revolution < 10; ++revolution) {
       record.events.clear();
       ASSERT_EQ(revolve(*motion, record), ending::PointStatus::done);

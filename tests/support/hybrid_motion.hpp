@@ -63,8 +63,8 @@ inline std::unique_ptr<motion::Motion> collocation_motion(const rotor::RotorCons
 
 /// Starts with shaft and ring in a state.
 inline ending::PointStatus start(motion::PointMotion& motion, const rotor::ShaftAndRing& state) {
-  return motion.start(
-      {rotor::as_array(rotor::shaft(state)), motion::Memory(rotor::as_array(rotor::ring(state)))});
+  return ending::status_of(motion.start(
+      {rotor::as_array(rotor::shaft(state)), motion::Memory(rotor::as_array(rotor::ring(state)))}));
 }
 /// Starts with the shaft in a state and the ring at rest in its place.
 inline ending::PointStatus start(motion::PointMotion& motion, const rotor::State& state) {
@@ -72,7 +72,7 @@ inline ending::PointStatus start(motion::PointMotion& motion, const rotor::State
 }
 /// The next revolution.
 inline ending::PointStatus revolve(motion::PointMotion& motion, modes::MotionListener& listener) {
-  return motion.revolution(listener, {}, 0);
+  return ending::status_of(motion.revolution(listener, {}, 0));
 }
 
 }  // namespace rubatlas::test
