@@ -33,9 +33,12 @@ class ContactModes : public TipPlaces {
 
   [[nodiscard]] const Law& law() const { return *law_; }
 
-  [[nodiscard]] ContactPhases& phases() { return made(phases_, setup_); }
-  /// Those under the law of rest.
-  [[nodiscard]] ContactPhases& resting() { return made(resting_, tips_at_rest_->setup); }
+  /// Under the law of tips that slip, or under that of tips at rest.
+  [[nodiscard]] ContactPhases& phases(bool under_law_of_rest) {
+    std::unique_ptr<ContactPhases>& phases = under_law_of_rest ? resting_ : phases_;
+    if (phases == nullptr) phases = make_phases_(under_law_of_rest ? tips_at_rest_->setup : setup_);
+    return *phases;
+  }
   /// Calls `use` with each phase that has been asked for.
   void each_phase(const auto& use) const {
     for (const auto* phases : {&phases_, &resting_}) {
@@ -87,10 +90,6 @@ class ContactModes : public TipPlaces {
     ContactSetup setup;
     RestOfElasticBlades judge;  ///< points at the law
   };
-  ContactPhases& made(std::unique_ptr<ContactPhases>& phases, const ContactSetup& setup) const {
-    if (phases == nullptr) phases = make_phases_(setup);
-    return *phases;
-  }
 
   std::unique_ptr<Law> own_law_;
   ContactSetup setup_;

@@ -76,45 +76,45 @@ std::array<double, 2> decays(double damping, double stiffness) {
 }  // namespace
 
 TangentFlow::TangentFlow(const settings::Scene& line)
-    : force_unit_(1.0 / (line.rotor.mass * line.rotor.natural_frequency * line.rotor.natural_frequency)),
-      misalignment_(line.rotor.misalignment),
+    : line_(line),
+      force_unit_(1.0 / (line.rotor.mass * line.rotor.natural_frequency * line.rotor.natural_frequency)),
       free_(line.rotor.damping_ratio),
       contact_(line) {
-  using effects::Effects;
-  if (effects::acts<&Effects::unbalance>(line)) {
-    specific_moment_ = line.unbalance->moment / line.rotor.mass;
-    phase_ = line.unbalance->phase;
-  }
-  if (effects::acts<&Effects::support>(line)) supported_ = line;
-  const double frequency = line.rotor.natural_frequency;
   const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
   by_force_ = force_unit_ * one;
   seen_ = one;
-  if (effects::acts<&Effects::ring_body>(line)) {
-    ring_.emplace(line.ring_body->mass, 1.0 / line.ring_body->compliance, line.ring_body->damping, frequency);
+  if (effects::acts<&effects::Effects::ring_body>(line)) {
+    ring_.emplace(line.ring_body->mass, 1.0 / line.ring_body->compliance, line.ring_body->damping,
+                  line.rotor.natural_frequency);
     by_force_ = (Eigen::Matrix<double, 4, 2>() << by_force_, -ring_->force_unit() * one).finished();
     seen_ = (Eigen::Matrix<double, 2, 4>() << one, -one).finished();
   }
-  const auto add = [&](const auto& load) {
-    const std::complex<double> deflection = load->deflection(1.0 / force_unit_, frequency);
-    static_load_ += Eigen::Vector2d(deflection.real(), deflection.imag());
-  };
-  if (effects::acts<&Effects::gravity>(line)) add(line.gravity);
-  if (effects::acts<&Effects::side_load>(line)) add(line.side_load);
 }
 
 Eigen::Vector2d TangentFlow::forcing(double time) const {
-  const double angle = speed_ratio_ * time + phase_;
-  return static_load_ +
-         specific_moment_ * speed_ratio_ * speed_ratio_ * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  using effects::Effects;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  const auto add_static = [&](const auto& load) {
+    const std::complex<double> deflection =
+        load->deflection(1.0 / force_unit_, line_.rotor.natural_frequency);
+    sum += Eigen::Vector2d(deflection.real(), deflection.imag());
+  };
+  if (effects::acts<&Effects::gravity>(line_)) add_static(line_.gravity);
+  if (effects::acts<&Effects::side_load>(line_)) add_static(line_.side_load);
+  if (effects::acts<&Effects::unbalance>(line_)) {
+    const double angle = speed_ratio_ * time + line_.unbalance->phase;
+    const double amplitude = line_.unbalance->moment / line_.rotor.mass * speed_ratio_ * speed_ratio_;
+    sum += amplitude * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  }
+  return sum;
 }
 
 void TangentFlow::begin(double speed_ratio) {
-  contact_.begin({speed_ratio, free_.damping_ratio(), misalignment_, force_unit_, 1.0});
+  contact_.begin({speed_ratio, free_.damping_ratio(), line_.rotor.misalignment, force_unit_, 1.0});
   speed_ratio_ = speed_ratio;
   shaft_ = rotor::isotropic_shaft(free_.damping_ratio());
-  if (supported_) {
-    shaft_ = support_of(*supported_, speed_ratio);
+  if (effects::acts<&effects::Effects::support>(line_)) {
+    shaft_ = support_of(line_, speed_ratio);
     support_.emplace(shaft_.stiffness, shaft_.damping, std::span<const rotor::HarmonicForcing>());
   }
   const Eigen::Index size = ring_ ? 8 : 4;

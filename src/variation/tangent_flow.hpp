@@ -78,15 +78,11 @@ class TangentFlow {
   /// Acceleration of the shaft by all that does not depend on its place [m per unit τ²].
   [[nodiscard]] Eigen::Vector2d forcing(double time) const;
 
-  double force_unit_;                                      ///< 1/(m ωn²) [m/N]
-  double misalignment_;                                    ///< y0 [m]
-  double specific_moment_ = 0.0;                           ///< me/m [m]
-  double phase_ = 0.0;                                     ///< γ [rad]
-  double speed_ratio_ = 0.0;                               ///< Ω [-]
-  Eigen::Vector2d static_load_ = Eigen::Vector2d::Zero();  ///< deflection under it [m]
+  settings::Scene line_;
+  double force_unit_;         ///< 1/(m ωn²) [m/N]
+  double speed_ratio_ = 0.0;  ///< Ω [-]
   rotor::FreeMotion free_;
-  std::optional<settings::Scene> supported_;     ///< the line, where the shaft has another support
-  std::optional<rotor::LinearSupport> support_;  ///< at Ω
+  std::optional<rotor::LinearSupport> support_;  ///< at Ω, where it is not that of an isotropic shaft
   std::optional<rotor::RingBody> ring_;
   rotor::SupportMatrices shaft_;  ///< of the shaft, at Ω
   Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::ColMajor, kMostCoordinates, 2> by_force_;  ///< B [m/N]
