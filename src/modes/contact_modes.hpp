@@ -3,7 +3,6 @@
 /// A motion executes modes and resets and does not know their equations.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>

@@ -3,7 +3,6 @@
 /// what cannot occur under it.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>

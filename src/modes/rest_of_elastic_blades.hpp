@@ -12,7 +12,6 @@
 /// and then slips the other way, as in MODEL 4.4.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 

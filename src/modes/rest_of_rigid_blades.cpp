@@ -58,7 +58,6 @@ RestOfRigidBlades::AtRest RestOfRigidBlades::at_rest(Contacts contacts, std::siz
   tip.pose = at.pose;
   tip.load = at.force.normal * rotor().force_unit;
   tip.largest = contact::largest_at_rest(law.friction());
-  tip.slip_velocity = at.force.slip_velocity;
   return tip;
 }
 

@@ -42,9 +42,8 @@ class RestOfRigidBlades : public RestJudge, public TipPlaces {
     std::complex<double> direction;  ///< er
     std::complex<double> tangent;    ///< t
     contact::Pose pose{};
-    double load = 0.0;           ///< F/(m ωn²) [m per unit τ²]
-    double largest = 0.0;        ///< |c| up to which it is held [-]
-    double slip_velocity = 0.0;  ///< v [m per unit τ]
+    double load = 0.0;     ///< F/(m ωn²) [m per unit τ²]
+    double largest = 0.0;  ///< |c| up to which it is held [-]
     double pull = 0.0;  ///< q [m per unit τ²]: dv/dτ without friction at the tips at rest, then shared out
     /// What friction has to give beyond what it can [m per unit τ²]: the tip comes loose where it is
     /// positive.
@@ -61,7 +60,6 @@ class RestOfRigidBlades : public RestJudge, public TipPlaces {
   /// A tip at rest of these contacts.
   [[nodiscard]] AtRest at_rest(const State& state, Contacts contacts, const OpenContact& contact) const;
 
- protected:
   /// A contact under the friction of its slip, of which one at rest has none.
   struct Slipping {
     contact::BladeDirection direction;
