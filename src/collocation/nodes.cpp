@@ -1,6 +1,7 @@
 #include "collocation/nodes.hpp"
 
 #include <algorithm>
+#include <boost/math/special_functions/binomial.hpp>
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 
@@ -47,82 +48,54 @@ std::array<double, kCount> barycentric(double fraction, const std::array<double,
 }
 
 NodeTables make_tables() {
-  constexpr auto kSize = static_cast<Eigen::Index>(kNodes);
-  const std::array<Real, kNodes>& at = kZeros;
+  constexpr unsigned kSize = kNodes;
   NodeTables tables{};
-  for (std::size_t i = 0; i < kNodes; ++i) {
-    tables.node[i] = static_cast<double>(at[i]);
-    tables.place[i + 1] = tables.node[i];
-  }
-
-  // Legendre's polynomials at the nodes, and their integrals from 0 to the nodes.
-  Matrix value(kSize, kSize);
-  Matrix integral(kSize, kSize);
-  for (std::size_t i = 0; i < kNodes; ++i) {
-    for (std::size_t k = 0; k < kNodes; ++k) {
-      const auto row = static_cast<Eigen::Index>(i);
-      const auto column = static_cast<Eigen::Index>(k);
-      value(row, column) = legendre(k, at[i]);
-      integral(row, column) =
-          k == 0 ? at[i]
-                 : (legendre(k + 1, at[i]) - legendre(k - 1, at[i])) / (2 * (2 * static_cast<Real>(k) + 1));
-    }
-  }
-  const Matrix coefficients = integrate::solve_long(value, Matrix::Identity(kSize, kSize));
-  const Matrix integrals = integral * coefficients;
-  for (std::size_t j = 0; j < kNodes; ++j)
-    tables.integral[j] = row_of(integrals, static_cast<Eigen::Index>(j));
-  for (std::size_t j = 0; j < kNodes; ++j)
-    tables.legendre[j] = row_of(coefficients, static_cast<Eigen::Index>(j));
-
   std::array<Real, kPlaces> place{};
-  std::copy(at.begin(), at.end(), place.begin() + 1);
-  std::array<Real, kPlaces> weight{};
+  std::copy(kZeros.begin(), kZeros.end(), place.begin() + 1);
   for (std::size_t i = 0; i < kPlaces; ++i) {
-    weight[i] = 1;
+    Real weight = 1;
     for (std::size_t j = 0; j < kPlaces; ++j) {
-      if (j != i) weight[i] /= place[i] - place[j];
+      if (j != i) weight /= place[i] - place[j];
     }
-    tables.weight[i] = static_cast<double>(weight[i]);
-    if (i > 0) tables.weight_among_nodes[i - 1] = static_cast<double>(weight[i] * place[i]);
+    tables.place[i] = static_cast<double>(place[i]);
+    tables.weight[i] = static_cast<double>(weight);
+    if (i == 0) continue;
+    tables.node[i - 1] = tables.place[i];
+    tables.weight_among_nodes[i - 1] = static_cast<double>(weight * place[i]);
   }
-  for (std::size_t j = 0; j < kNodes; ++j) {
-    Real value_at_start = 1;
-    for (std::size_t k = 0; k < kNodes; ++k) {
-      if (k != j) value_at_start *= at[k] / (at[k] - at[j]);
+
+  // Legendre's polynomials at the places, their integrals from 0 and their slopes; and Bernstein's.
+  Matrix value(kPlaces, kPlaces);
+  Matrix integral(kPlaces, kPlaces);
+  Matrix slope(kPlaces, kPlaces);
+  Matrix bernstein(kPlaces, kPlaces);
+  for (unsigned i = 0; i < kPlaces; ++i) {
+    const Real at = place[i];
+    for (unsigned k = 0; k < kPlaces; ++k) {
+      value(i, k) = legendre(k, at);
+      integral(i, k) = k == 0 ? at : (legendre(k + 1, at) - legendre(k - 1, at)) / (2 * (2 * k + 1));
+      slope(i, k) = 2 * boost::math::legendre_p_prime(static_cast<int>(k), 2 * at - 1);
+      bernstein(i, k) = boost::math::binomial_coefficient<Real>(kNodes, k) *
+                        std::pow(at, static_cast<Real>(k)) * std::pow(1 - at, static_cast<Real>(kNodes - k));
     }
+  }
+  const auto inverse = [](const Matrix& matrix) {
+    return integrate::solve_long(matrix, Matrix::Identity(matrix.rows(), matrix.cols()));
+  };
+  const Matrix coefficients = inverse(value.block(1, 0, kSize, kSize));  // of degree 7, from the nodes
+  const Matrix integrals = integral.block(1, 0, kSize, kSize) * coefficients;
+  const Matrix slopes = slope.bottomRows(kSize) * inverse(value);
+  const Matrix later = inverse(bernstein).bottomRows(kSize);
+  tables.bernstein_of_start = row_of(later, 0);
+  for (unsigned j = 0; j < kSize; ++j) {
+    tables.integral[j] = row_of(integrals, j);
+    tables.slope[j] = row_of(slopes, j + 1);
+    tables.legendre[j] = row_of(coefficients, j);
+    tables.bernstein[j] = row_of(later, j + 1);
+    Real value_at_start = 0;  // at θ = 0 the polynomials are 1 and −1 by turns
+    for (unsigned k = 0; k < kSize; ++k) value_at_start += (k % 2 == 0 ? 1 : -1) * coefficients(k, j);
     tables.value_at_start[j] = static_cast<double>(value_at_start);
   }
-  for (std::size_t j = 1; j < kPlaces; ++j) {
-    for (std::size_t i = 1; i < kPlaces; ++i) {
-      Real slope = 0;
-      if (i == j) {
-        for (std::size_t k = 0; k < kPlaces; ++k) {
-          if (k != j) slope += 1 / (place[j] - place[k]);
-        }
-      } else {
-        slope = weight[j] / weight[i] / (place[i] - place[j]);
-      }
-      tables.slope[j - 1][i - 1] = static_cast<double>(slope);
-    }
-  }
-
-  Matrix bernstein(kPlaces, kPlaces);
-  for (std::size_t i = 0; i < kPlaces; ++i) {
-    Real binomial = 1;
-    for (std::size_t k = 0; k < kPlaces; ++k) {
-      Real term = binomial;
-      for (std::size_t power = 0; power < k; ++power) term *= place[i];
-      for (std::size_t power = k; power < kNodes; ++power) term *= 1 - place[i];
-      bernstein(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = term;
-      binomial = binomial * static_cast<Real>(kNodes - k) / static_cast<Real>(k + 1);
-    }
-  }
-  const Matrix to_bernstein = integrate::solve_long(bernstein, Matrix::Identity(kPlaces, kPlaces));
-  const Matrix later = to_bernstein.bottomRows(kSize);
-  tables.bernstein_of_start = row_of(later, 0);
-  for (std::size_t j = 0; j < kNodes; ++j)
-    tables.bernstein[j] = row_of(later, static_cast<Eigen::Index>(j + 1));
   return tables;
 }
 
