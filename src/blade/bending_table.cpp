@@ -21,56 +21,42 @@ Row row_of(const CurvePoint& at) {
   return {at.load, at.shortening, at.deflection};
 }
 
-/// Chebyshev's points in [0, 1], and coefficients of powers from values there: sums of large terms, for which
-/// `double` has too few digits.
 template <int kCount>
-class Fit {
- public:
-  using Values = Eigen::Matrix<double, kCount, 3>;
+using Rows = Eigen::Matrix<double, kCount, 3>;
 
-  Fit() {
-    for (int i = 0; i < kCount; ++i)
-      points_[i] = 0.5 * (1.0 + std::cos(std::numbers::pi * (i + 0.5) / kCount));
-    powers_.col(0).setOnes();
-    for (int k = 1; k < kCount; ++k)
-      powers_.col(k) = powers_.col(k - 1).cwiseProduct(points_.template cast<long double>());
+/// Coefficients of powers from values at Chebyshev's points in [0, 1]: sums of large terms, for which
+/// `double` has too few digits.
+template <int kCount, class Value>
+Rows<kCount> fit(const Value& value_at) {
+  integrate::LongMatrix powers(kCount, kCount);
+  integrate::LongMatrix values(kCount, 3);
+  for (int i = 0; i < kCount; ++i) {
+    const double point = 0.5 * (1.0 + std::cos(std::numbers::pi * (i + 0.5) / kCount));
+    powers(i, 0) = 1;
+    for (int k = 1; k < kCount; ++k) powers(i, k) = powers(i, k - 1) * point;
+    const Row value = value_at(point);
+    values.row(i) = value.cast<long double>();
   }
-  [[nodiscard]] double point(int i) const { return points_[i]; }
-  [[nodiscard]] Values through(const Values& values) const {
-    return integrate::solve_long(powers_, values.template cast<long double>()).template cast<double>();
-  }
-
- private:
-  Eigen::Matrix<double, kCount, 1> points_;
-  integrate::LongMatrix powers_{kCount, kCount};
-};
+  return integrate::solve_long(powers, values).template cast<double>();
+}
 
 constexpr int kCount = static_cast<int>(BendingTable::kDegree) + 1;
-using Coefficients = Eigen::Matrix<double, kCount, 3>;
 
 /// Of the piece that starts at p.
-Coefficients later_piece(const BendingTable& table, const ElasticaCurve& curve, double start) {
-  static const Fit<kCount> kFit;
-  Coefficients samples;
-  for (int i = 0; i < kCount; ++i)
-    samples.row(i) = row_of(curve.at(table.bending(start + BendingTable::kWidth * kFit.point(i))));
-  return kFit.through(samples);
+Rows<kCount> later_piece(const BendingTable& table, const ElasticaCurve& curve, double start) {
+  return fit<kCount>(
+      [&](double part) { return row_of(curve.at(table.bending(start + BendingTable::kWidth * part))); });
 }
 
 /// From p = 0 all three are even functions of p. What they grow by from there keeps its digits however little
 /// the blade is bent.
-Coefficients first_piece(const BendingTable& table, const ElasticaCurve& curve) {
+Rows<kCount> first_piece(const BendingTable& table, const ElasticaCurve& curve) {
   constexpr int kPowers = 5;  // of t²: the nearest singularities are at p = ±iπ/2
-  static const Fit<kPowers> kFit;
   const Row unbent = row_of(curve.at(0.0));
-  Eigen::Matrix<double, kPowers, 3> samples;
-  for (int i = 0; i < kPowers; ++i) {
-    const double square = kFit.point(i);
-    samples.row(i) =
-        (row_of(curve.at(table.bending(BendingTable::kWidth * std::sqrt(square)))) - unbent) / square;
-  }
-  const Eigen::Matrix<double, kPowers, 3> fitted = kFit.through(samples);
-  Coefficients result = Coefficients::Zero();
+  const Rows<kPowers> fitted = fit<kPowers>([&](double square) -> Row {
+    return (row_of(curve.at(table.bending(BendingTable::kWidth * std::sqrt(square)))) - unbent) / square;
+  });
+  Rows<kCount> result = Rows<kCount>::Zero();
   result.row(0) = unbent;
   for (int k = 0; k < kPowers; ++k) result.row(2 * k + 2) = fitted.row(k);
   return result;
@@ -84,7 +70,7 @@ BendingTable::BendingTable(const ElasticaCurve& curve) : scale_(curve.load_angle
     const double end = start + kWidth;
     if (bending(end) > curve.end()) break;
     const CurvePoint at_end = curve.at(bending(end));
-    const Coefficients fitted =
+    const Rows<kCount> fitted =
         pieces_.empty() ? first_piece(*this, curve) : later_piece(*this, curve, start);
     const Eigen::Array3d exact = row_of(at_end);
     if (((fitted.colwise().sum().transpose().array() - exact).abs() > kLargestError * (1.0 + exact)).any())
