@@ -1,41 +1,32 @@
 #include "collocation/even_rules.hpp"
 
 #include <algorithm>
+#include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace rubatlas::collocation {
 namespace {
 
-constexpr std::size_t kFewest = 4;
-
-/// A rule, and the least distance of singularities up to which it is accurate: the larger semi-axis and the
-/// smaller one, added, of the ellipse around [−1, 1] that goes through them.
-struct Graded {
-  EvenRule rule;
-  double least_ellipse;
-};
-
 EvenRule gauss(std::size_t count) {
   using Real = long double;
+  constexpr double kLeft = 1e-17;
   EvenRule rule;
   rule.count = count;
+  rule.least_ellipse = std::pow(kLeft, -1.0 / static_cast<double>(4 * count));
   const auto degree = 2 * count;
   for (std::size_t i = 0; i < count; ++i) {
     Real x = std::cos(std::numbers::pi_v<Real> * (static_cast<Real>(i) + 0.75L) /
                       (static_cast<Real>(degree) + 0.5L));
     Real slope = 0;
-    constexpr int kIterations = 8;
+    constexpr int kIterations = 6;
     for (int iteration = 0; iteration < kIterations; ++iteration) {
       Real before = 1;
       Real now = x;
-      for (std::size_t k = 2; k <= degree; ++k) {
-        const auto order = static_cast<Real>(k);
-        const Real next = ((2 * order - 1) * x * now - (order - 1) * before) / order;
-        before = now;
-        now = next;
-      }
+      for (unsigned k = 1; k < degree; ++k)
+        before = std::exchange(now, boost::math::legendre_next(k, x, now, before));
       slope = static_cast<Real>(degree) * (x * now - before) / (x * x - 1);
       x -= now / slope;
     }
@@ -45,18 +36,17 @@ EvenRule gauss(std::size_t count) {
   return rule;
 }
 
-std::vector<Graded> make_rules() {
-  constexpr double kLeft = 1e-17;
-  std::vector<Graded> rules;
-  for (std::size_t count = kFewest; count <= EvenRule::kMost; ++count)
-    rules.push_back({gauss(count), std::pow(kLeft, -1.0 / static_cast<double>(4 * count))});
+std::vector<EvenRule> make_rules() {
+  constexpr std::size_t kFewest = 4;
+  std::vector<EvenRule> rules;
+  for (std::size_t count = kFewest; count <= EvenRule::kMost; ++count) rules.push_back(gauss(count));
   return rules;
 }
 
 }  // namespace
 
 BladeRule blade_rule(double modulus, double tangent) {
-  static const std::vector<Graded> kRules = make_rules();
+  static const std::vector<EvenRule> kRules = make_rules();
   if (!(modulus < 1.0)) return {};
   const double half_square = (1.0 - modulus) / (1.0 + modulus);  // tanh²(arcosh(1/|κ|)/2)
   const double quarter = std::sqrt(half_square) / (1.0 + std::sqrt(1.0 - half_square));
@@ -79,8 +69,8 @@ BladeRule blade_rule(double modulus, double tangent) {
   const double difference = 2.0 * along * largest;
   const double axis = (std::sqrt(sum - difference) + std::sqrt(sum + difference)) / (2.0 * largest);
   const double ellipse = axis + std::sqrt(axis * axis - 1.0);
-  for (const Graded& graded : kRules) {
-    if (graded.least_ellipse <= ellipse) return {&graded.rule, quarter};
+  for (const EvenRule& rule : kRules) {
+    if (rule.least_ellipse <= ellipse) return {&rule, quarter};
   }
   return {};
 }

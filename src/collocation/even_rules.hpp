@@ -12,6 +12,9 @@ struct EvenRule {
   std::size_t count = 0;
   std::array<double, kMost> square{};  ///< of the places in [0, 1]
   std::array<double, kMost> weight{};  ///< whose sum is 1
+  /// Least distance of singularities up to which it is accurate: the larger semi-axis and the smaller one,
+  /// added, of the ellipse around [−1, 1] that goes through them.
+  double least_ellipse = 0.0;
 };
 
 /// How to integrate over a bent blade (`inclined_tip.hpp`): over z, with
