@@ -16,69 +16,35 @@ constexpr double kClosestTime = 1e-7;
 constexpr double kClosestToTop = 1e-4;
 constexpr unsigned kBitsOfTop = 20;
 
-/// Shaft at one place.
-struct Swing {
-  double fraction;  ///< θ
-  double square;    ///< |z|² [m²]
-  double rate;      ///< z·z', half of its rate by τ [m²]
-};
-Swing swing(double fraction, double x, double y, double vx, double vy) {
-  return {fraction, x * x + y * y, x * vx + y * vy};
+/// Place and velocity of a body at the places: x, y, vx, vy.
+using PathAtPlaces = std::array<AtPlaces, 4>;
+PathAtPlaces path_at_places(const Places& body) {
+  return {at_places(body.start[0], body.x), at_places(body.start[1], body.y),
+          at_places(body.start[2], body.vx), at_places(body.start[3], body.vy)};
 }
-
-/// The shaft between the nodes.
-class Shaft {
- public:
-  explicit Shaft(const Interval& interval)
-      : interval_(&interval),
-        x_(at_places(interval.shaft.start[0], interval.shaft.x)),
-        y_(at_places(interval.shaft.start[1], interval.shaft.y)),
-        vx_(at_places(interval.shaft.start[2], interval.shaft.vx)),
-        vy_(at_places(interval.shaft.start[3], interval.shaft.vy)) {}
-
-  [[nodiscard]] Swing at(double fraction) const {
-    const AtPlaces basis = basis_at(fraction);
-    return swing(fraction, sum_of_products(basis, x_), sum_of_products(basis, y_),
-                 sum_of_products(basis, vx_), sum_of_products(basis, vy_));
-  }
-  /// z·z' there and its slope by θ.
-  [[nodiscard]] integrate::ValueAndSlope rate(double fraction) const {
-    const AtPlaces basis = basis_at(fraction);
-    const AtNodes slopes = slope_basis_at(fraction);
-    const double x = sum_of_products(basis, x_);
-    const double y = sum_of_products(basis, y_);
-    const double vx = sum_of_products(basis, vx_);
-    const double vy = sum_of_products(basis, vy_);
-    const double ax = sum_of_products(slopes, interval_->shaft.ax);
-    const double ay = sum_of_products(slopes, interval_->shaft.ay);
-    return {x * vx + y * vy,
-            (vx * vx + vy * vy + x * ax + y * ay) * sum_of_products(slopes, interval_->time_slope)};
-  }
-
- private:
-  const Interval* interval_;
-  AtPlaces x_, y_, vx_, vy_;
-};
+/// Polynomials through values at the places, at θ.
+template <std::size_t kCount>
+std::array<double, kCount> read(const std::array<AtPlaces, kCount>& values, double fraction) {
+  const AtPlaces basis = basis_at(fraction);
+  std::array<double, kCount> there;
+  for (std::size_t k = 0; k < kCount; ++k) there[k] = sum_of_products(basis, values[k]);
+  return there;
+}
 
 /// The tip of a straight blade within an interval.
 class StraightTip {
  public:
   StraightTip(const Machine& machine, const Interval& interval, const Blade& blade,
               const std::array<double, 2>& offset)
-      : blade_(&blade),
-        offset_(offset),
-        values_{at_places(interval.shaft.start[0], interval.shaft.x),
-                at_places(interval.shaft.start[1], interval.shaft.y),
-                at_places(interval.shaft.start[2], interval.shaft.vx),
-                at_places(interval.shaft.start[3], interval.shaft.vy),
-                at_places(interval.blade[0], interval.blade_x),
-                at_places(interval.blade[1], interval.blade_y),
-                at_places(interval.start_angular_speed, interval.angular_speed)} {
-    const Body& ring = interval.ring;
-    const std::array<const AtNodes*, 4> nodes{&ring.x, &ring.y, &ring.vx, &ring.vy};
-    for (std::size_t k = 0; machine.ring.moves && k < nodes.size(); ++k) {
-      const AtPlaces of_ring = at_places(ring.start[k], *nodes[k]);
-      for (std::size_t i = 0; i < kPlaces; ++i) values_[k][i] -= of_ring[i];
+      : blade_(&blade), offset_(offset) {
+    const PathAtPlaces shaft = path_at_places(interval.shaft);
+    std::copy(shaft.begin(), shaft.end(), values_.begin());
+    values_[4] = at_places(interval.blade[0], interval.blade_x);
+    values_[5] = at_places(interval.blade[1], interval.blade_y);
+    values_[6] = at_places(interval.start_angular_speed, interval.angular_speed);
+    const PathAtPlaces ring = path_at_places(interval.ring);
+    for (std::size_t k = 0; machine.ring.moves && k < ring.size(); ++k) {
+      for (std::size_t i = 0; i < kPlaces; ++i) values_[k][i] -= ring[k][i];
     }
     for (double& y : values_[1]) y += machine.misalignment;
   }
@@ -92,12 +58,7 @@ class StraightTip {
     for (std::size_t k = 0; k < kValues; ++k) there[k] = values_[k][place];
     return of(there);
   }
-  [[nodiscard]] Gap at(double fraction) const {
-    const AtPlaces basis = basis_at(fraction);
-    std::array<double, kValues> there{};
-    for (std::size_t k = 0; k < kValues; ++k) there[k] = sum_of_products(basis, values_[k]);
-    return of(there);
-  }
+  [[nodiscard]] Gap at(double fraction) const { return of(read(values_, fraction)); }
 
  private:
   /// Shaft from the ring's centre, velocity, direction and φ' of the leading blade.
@@ -164,10 +125,27 @@ double crossing(const AtPlaces& values, std::size_t place) {
 }
 
 Farthest farthest(const Interval& interval, double from, double to) {
-  const Shaft shaft(interval);
   const Body& body = interval.shaft;
-  const auto& start = body.start;
-  Swing before = from > 0.0 ? shaft.at(from) : swing(0.0, start[0], start[1], start[2], start[3]);
+  const PathAtPlaces path = path_at_places(body);
+  struct Swing {
+    double fraction;  ///< θ
+    double square;    ///< |z|² [m²]
+    double rate;      ///< z·z', half of its rate by τ [m²]
+  };
+  const auto at = [&](double fraction) {
+    const auto [x, y, vx, vy] = read(path, fraction);
+    return Swing{fraction, x * x + y * y, x * vx + y * vy};
+  };
+  // z·z' and its slope by θ.
+  const auto rate = [&](double fraction) {
+    const auto [x, y, vx, vy] = read(path, fraction);
+    const AtNodes slopes = slope_basis_at(fraction);
+    const double ax = sum_of_products(slopes, body.ax);
+    const double ay = sum_of_products(slopes, body.ay);
+    return integrate::ValueAndSlope{x * vx + y * vy, (vx * vx + vy * vy + x * ax + y * ay) *
+                                                         sum_of_products(slopes, interval.time_slope)};
+  };
+  Swing before = at(from);
   Swing most = before;
   const auto take = [&](const Swing& there) {
     if (there.square > most.square) most = there;
@@ -175,14 +153,12 @@ Farthest farthest(const Interval& interval, double from, double to) {
   const AtNodes& node = kNodeTables.node;
   for (std::size_t i = 0; i < kNodes && before.fraction < to; ++i) {
     if (node[i] <= from) continue;
-    const Swing after =
-        node[i] > to ? shaft.at(to) : swing(node[i], body.x[i], body.y[i], body.vx[i], body.vy[i]);
+    const Swing after = at(std::min(node[i], to));
     take(after);
     if (before.rate > 0.0 && after.rate < 0.0) {
       const double share = before.rate / (before.rate - after.rate);
       const double guess = before.fraction + share * (after.fraction - before.fraction);
-      take(shaft.at(integrate::newton_between([&](double fraction) { return shaft.rate(fraction); },
-                                              before.fraction, after.fraction, guess, false, kClosestToTop)));
+      take(at(integrate::newton_between(rate, before.fraction, after.fraction, guess, false, kClosestToTop)));
     }
     before = after;
   }
