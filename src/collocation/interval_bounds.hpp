@@ -26,8 +26,8 @@ class IntervalBounds {
     result.argument = largest(in.start_argument, Number(in.argument));
     const double across = largest_magnitude(in.shaft.start[0], Number(in.shaft.x));
     result.displacement = root_of_squares(across, largest_magnitude(in.shaft.start[1], Number(in.shaft.y)));
-    const Place start = start_from_ring();
-    const Places nodes = from_ring();
+    const Place<double> start = start_from_ring();
+    const Place<Number> nodes = from_ring();
     const double from_ring = machine_.ring.moves ? largest_magnitude(start.x, nodes.x) : across;
     result.distance = root_of_squares(from_ring, largest_magnitude(start.y, nodes.y));
     result.cone_left = std::numeric_limits<double>::infinity();
@@ -65,10 +65,10 @@ class IntervalBounds {
     const Interval& in = interval_;
     const Number blade_x(in.blade_x);
     const Number blade_y(in.blade_y);
-    const Place seen = start_from_ring();
+    const Place<double> seen = start_from_ring();
     const double start = gap_of(blade, seen.x, seen.y, in.blade[0] * offset[0] - in.blade[1] * offset[1],
                                 in.blade[1] * offset[0] + in.blade[0] * offset[1]);
-    const Places at_nodes = from_ring();
+    const Place<Number> at_nodes = from_ring();
     const Number nodes = gap_of(blade, at_nodes.x, at_nodes.y, blade_x * offset[0] - blade_y * offset[1],
                                 blade_y * offset[0] + blade_x * offset[1]);
     return later(start, nodes).largest();
@@ -80,18 +80,16 @@ class IntervalBounds {
   static double root_of_squares(double x, double y) { return std::sqrt(x * x + y * y); }
 
   /// Shaft from the ring's centre, at the start and at the nodes.
+  template <class Value>
   struct Place {
-    double x, y;
+    Value x, y;
   };
-  struct Places {
-    Number x, y;
-  };
-  [[nodiscard]] Place start_from_ring() const {
+  [[nodiscard]] Place<double> start_from_ring() const {
     const Interval& in = interval_;
     return {in.shaft.start[0] - in.ring.start[0],
             in.shaft.start[1] - in.ring.start[1] + machine_.misalignment};
   }
-  Places from_ring() const {
+  Place<Number> from_ring() const {
     const Body& shaft = interval_.shaft;
     const Body& ring = interval_.ring;
     const double misalignment = machine_.misalignment;
