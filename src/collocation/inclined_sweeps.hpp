@@ -56,6 +56,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
  private:
   using Direction = typename Base::Direction;
   using Vector = typename Base::Vector;
+  using Pose = typename Base::Pose;
   using Tip = InclinedTip<kWidth>;
   static constexpr int kMostSweeps = 12;
   static constexpr int kFullSweeps = 3;  ///< with slopes of their own
@@ -82,15 +83,15 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   };
 
   /// The shaft seen from a blade in the direction er.
-  InclinedPose<kWidth> pose_from(const TipStart& start, const Direction& er) const {
-    return {this->pose_of(this->straight_tip(start, er), start.blade->reach, er), this->angular_speed_};
+  Pose pose_from(const TipStart& start, const Direction& er) const {
+    return this->pose_of(this->straight_tip(start, er), start.blade->reach, er);
   }
   /// The shaft's, as seen from the ring.
   Vector seen_acceleration() const {
     return ring_moves() ? shaft_.acceleration - ring_.acceleration : shaft_.acceleration;
   }
-  Number e_rate_of(const Tip& tip, const InclinedPose<kWidth>& at, const Vector& er) const {
-    return tip.e_rate(at, Base::in_blade(seen_acceleration(), er));
+  Number e_rate_of(const Tip& tip, const Pose& at, const Vector& er) const {
+    return tip.e_rate(at, this->angular_speed_, Base::in_blade(seen_acceleration(), er));
   }
   /// du/dp, of which p² is known.
   static Number bending_slope_of(const InclinedLoad& load, const Number& square) {
@@ -112,8 +113,9 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     this->take_direction();
     const Number argument = this->chord_argument_ + deviation_ * in.normal.argument;
     const Number square = argument * argument;
-    const InclinedPose<kWidth> at = pose_from(in.leader(), er_);
-    if (!lead_.template stand<!kLight>(bending_of(lead_.inclined(), argument, square), lean_, at))
+    const Pose at = pose_from(in.leader(), er_);
+    if (!lead_.template stand<!kLight>(bending_of(lead_.inclined(), argument, square), lean_, at,
+                                       this->angular_speed_))
       return std::numeric_limits<double>::quiet_NaN();
     if (!kLight) {
       bending_slope_ = bending_slope_of(lead_.inclined(), square);
@@ -220,8 +222,9 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   [[gnu::noinline]] bool step_further(FurtherTip& further, const Direction& er, const Number& time_step) {
     Tip& tip = further.tip;
     const Number argument = root(further.square);
-    const InclinedPose<kWidth> at = pose_from(*further.in_time, er);
-    if (!tip.template stand<!kLight>(bending_of(tip.inclined(), argument, further.square), further.lean, at))
+    const Pose at = pose_from(*further.in_time, er);
+    if (!tip.template stand<!kLight>(bending_of(tip.inclined(), argument, further.square), further.lean, at,
+                                     this->angular_speed_))
       return false;
     if (!kLight) {
       further.bending_slope = bending_slope_of(tip.inclined(), further.square);
@@ -285,16 +288,15 @@ bool inclined_branch(const TipStart& start, double ring_radius, const contact::P
   constexpr int kMost = 8;
   constexpr double kClosest = 1e-6;  // of l: h is for Newton's method to go on from
   constexpr double kFarthest = 0.7;  // of l: no load leans more
-  const InclinedPose<kWidth> at{
-      {pose.radial, pose.tangential, pose.radial_velocity, pose.tangential_velocity, pose.gap},
-      angular_speed};
+  const contact::PoseOf<Number> at{pose.radial, pose.tangential, pose.radial_velocity,
+                                   pose.tangential_velocity, pose.gap};
   const Number argument(points.argument);
   const Number square = argument * argument;
   const Number bending = bending_of(load, argument, square);
   Number lean(points.lean);
   InclinedTip<kWidth> tip(start, ring_radius);
   for (int i = 0; i < kMost; ++i) {
-    if (!tip.template stand<true>(bending, lean, at)) return false;
+    if (!tip.template stand<true>(bending, lean, at, angular_speed)) return false;
     if (!((tip.e_by_lean * load.side).least() > 0.0)) return false;
     const Number step = tip.e / tip.e_by_lean;
     lean = lean - step;

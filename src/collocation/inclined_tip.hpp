@@ -131,18 +131,12 @@ Lanes<kWidth> bending_of(const InclinedLoad& load, const Lanes<kWidth>& argument
          load.scale;
 }
 
-/// The shaft seen from the blade at eight nodes.
-template <std::size_t kWidth>
-struct InclinedPose : contact::PoseOf<Lanes<kWidth>> {
-  Lanes<kWidth> angular_speed;  ///< φ'
-};
-
 /// A blade's tip where it stands at eight nodes, with both equations and their slopes by u and l.
 template <std::size_t kWidth>
 class InclinedTip {
  public:
   using Number = Lanes<kWidth>;
-  using Pose = InclinedPose<kWidth>;
+  using Pose = contact::PoseOf<Number>;
   using InBlade = contact::BladeVector<Number>;
 
   InclinedBlade<kWidth> blade;
@@ -160,9 +154,9 @@ class InclinedTip {
   InclinedTip(const TipStart& tip, double ring_radius)
       : blade_(tip.blade), load_(tip.load), slip_(tip.slip), ring_radius_(ring_radius) {}
 
-  /// False where there is no such blade. The quadrature is chosen with the slopes, and kept.
+  /// False where there is no such blade. The quadrature is chosen with the slopes, and kept. `speed`: φ'.
   template <bool kSlopes>
-  bool stand(const Number& bending_there, const Number& lean_there, const Pose& at) {
+  bool stand(const Number& bending_there, const Number& lean_there, const Pose& at, const Number& speed) {
     const Blade& c = *blade_;
     bending = bending_there;
     lean = lean_there;
@@ -173,10 +167,10 @@ class InclinedTip {
     bent = {blade.shortening.value * c.length, blade.deflection.value * across_length};
     h = contact::contact_equation(at.gap, unbent, bent);
     place = unbent - bent;
-    rate = contact::tip_rate(at, at.angular_speed);
+    rate = contact::tip_rate(at, speed);
     const double radius = ring_radius_;
     const double per_radius = 1.0 / radius;
-    slip_velocity = contact::slip_velocity(place, rate, at.angular_speed, per_radius, radius);
+    slip_velocity = contact::slip_velocity(place, rate, speed, per_radius, radius);
     const bool rests = load_->rests;
     const contact::Friction::At<Number> friction =
         rests ? contact::Friction::At<Number>{Number(0.0), Number(0.0)}
@@ -224,9 +218,9 @@ class InclinedTip {
 
   /// dh/dτ and de/dτ at this bend and at constant speed. `acceleration`: z''.
   Number h_rate() const { return contact::square_change(place, rate); }
-  Number e_rate(const Pose& at, const InBlade& acceleration) const {
+  Number e_rate(const Pose& at, const Number& speed, const InBlade& acceleration) const {
     Number result =
-        e_by_velocity_ * contact::cross(place, contact::tip_acceleration(at, at.angular_speed, acceleration));
+        e_by_velocity_ * contact::cross(place, contact::tip_acceleration(at, speed, acceleration));
     if (load_->along_normal && !load_->rests) {
       result = result + dot(turn_of_normal(), rate) * (1.0 / ring_radius_);
     }
