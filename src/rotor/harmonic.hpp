@@ -82,7 +82,7 @@ class Harmonic {
     const Complex at_start = turned(start);
     const Complex unit = at_zero_ * at_start;
     Response response;
-    if (steady_at_zero_) {
+    if (steady_at_zero_) [[likely]] {
       response.position =
           *steady_at_zero_ * at_start *
           (turned(elapsed) - kernel.cosine - (i * frequency_ + free.damping_ratio()) * kernel.sine);
