@@ -49,7 +49,7 @@ ElasticaCurve::ElasticaCurve(double friction, Theory theory, double axial_compli
   coarse_origin_ = shifted_bits(width, kCoarseShift) - 1;
   fine_origin_ = shifted_bits(1.0, kFineShift) - (shifted_bits(1.0, kCoarseShift) - coarse_origin_);
   const double start = friction_ == 0.0 ? kEulerLoad : 0.0;
-  knots_.push_back({0.0, start, axial_compliance_ * start, 0.0});
+  knots_.push_back({{start, axial_compliance_ * start, 0.0, 1.0, 0.0, 0.0}, 0.0});
   add_first_piece(width);
   double from = width;
   while (knots_.back().shortening < kLargestShortening) {
@@ -89,9 +89,10 @@ Equilibrium<long double> ElasticaCurve::exact(long double bending) const {
 
 void ElasticaCurve::add_knot(double bending) {
   const auto there = exact(bending);
-  knots_.push_back({bending, static_cast<double>(there.load),
-                    static_cast<double>(there.shortening + axial_compliance_ * there.load),
-                    static_cast<double>(there.deflection)});
+  knots_.push_back({{static_cast<double>(there.load),
+                     static_cast<double>(there.shortening + axial_compliance_ * there.load),
+                     static_cast<double>(there.deflection), 1.0, 0.0, 0.0},
+                    bending});
 }
 
 void ElasticaCurve::add_first_piece(double width) {

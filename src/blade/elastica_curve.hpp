@@ -99,14 +99,8 @@ class ElasticaCurve {
   /// Boundaries of the pieces from 0 to `end()`, with the curve there: for bracketing roots and folds along
   /// the curve. Slopes are by the load, finite at the unloaded blade too; for μ = 0, where the load hardly
   /// rises, by u.
-  struct Knot {
+  struct Knot : CurvePoint {
     double bending;
-    double load;
-    double shortening;
-    double deflection;
-    double load_slope = 1.0;
-    double shortening_slope = 0.0;
-    double deflection_slope = 0.0;
   };
   [[nodiscard]] const std::vector<Knot>& knots() const {
     return knots_;

@@ -18,35 +18,26 @@ auto ElasticaContact::constraint_at(const Pose& at, double slip, const blade::Cu
   force.shortening = point.shortening;
   // (h/2) θ'(0) with EI θ'(0) = F Δ + μF (L − δ)
   force.root_strain = strain_unit_ * point.load * (point.deflection + friction_ * (1.0 - point.shortening));
-  return {force, residual(at, slip, point), slope(at, slip, point), square_change(there, rate)};
+  return {force, slope(at, slip, point), square_change(there, rate)};
 }
 
 std::optional<double> ElasticaContact::solve(const Pose& at, double slip) const {
   const bool beyond_ring = releases_at_fold() && at.gap < -gap_rounding(geometry(), at);
   if (has_branches_ || beyond_ring) return solve_on_branches(at, slip);
-  const auto& knots = curve_->knots();
-  // The residual is positive from the unloaded blade on (g > 0; on the receding side it first rises) and
-  // falls through zero once: walk up the curve until it has.
-  const auto after = std::find_if(knots.begin() + 1, knots.end(),
-                                  [&](const auto& knot) { return residual(at, slip, knot) < 0.0; });
-  if (after == knots.end()) return std::nullopt;
-  double low = (after - 1)->bending;
-  double high = after->bending;
-  const auto function = [&](double bending) { return residual(at, slip, curve_at(bending)); };
-  double at_low = function(low);
-  // The first piece starts at the unloaded blade, where h = g may be zero or negative by rounding. Step off
-  // it to where h is positive; where it is nowhere, the contact is too light to load the blade.
-  if (low == 0.0 && at_low <= 0.0) {
-    double step = high;
-    do {
-      step *= 0.5;
-      at_low = function(step);
-    } while (at_low <= 0.0 && step > high * 1e-12);
-    if (at_low <= 0.0) return at.gap >= -gap_rounding(geometry(), at) ? bending_at_ring(at, slip) : 0.0;
-    low = step;
-    if (function(2.0 * step) < 0.0) high = 2.0 * step;
+  // h is positive from the unloaded blade on, and falls through zero once. On the receding side it first
+  // rises from g, which may be zero or negative by rounding: step off to where h is positive; where it is
+  // nowhere, the contact is too light to load the blade.
+  Branch all{0.0, curve_->end()};
+  if (!(at.gap > 0.0)) {
+    constexpr double kLeast = 1e-12;  // of the first piece
+    const double first = curve_->knots()[1].bending;
+    const auto h = [&](double bending) { return residual(at, slip, curve_at(bending)); };
+    all.begin = first;
+    while (h(all.begin) <= 0.0 && all.begin > kLeast * first) all.begin *= 0.5;
+    if (h(all.begin) <= 0.0) return at.gap >= -gap_rounding(geometry(), at) ? bending_at_ring(at, slip) : 0.0;
+    if (h(2.0 * all.begin) < 0.0) all.end = 2.0 * all.begin;
   }
-  return integrate::root_between(function, low, high, at_low, function(high));
+  return root_on(at, slip, all);
 }
 
 double ElasticaContact::bending_at_ring(const Pose& at, double slip) const {
@@ -121,7 +112,7 @@ auto ElasticaContact::branches(const Pose& at, double slip) const -> Branches {
 std::optional<double> ElasticaContact::root_on(const Pose& at, double slip, const Branch& branch) const {
   const auto function = [&](double bending) { return residual(at, slip, curve_at(bending)); };
   const auto& knots = curve_->knots();
-  const double at_begin = function(branch.begin);
+  const double at_begin = branch.begin > 0.0 ? function(branch.begin) : residual(at, slip, knots.front());
   if (!(at_begin > 0.0)) {
     // Too light to load the blade, or to bend the column; else h has no root up here.
     const bool unloaded =

@@ -147,7 +147,6 @@ class ElasticaContact : public ElasticBladeInRing {
   /// A contact at one bending parameter, with the rates that carry it along h = 0.
   struct Constraint {
     TipForce force;
-    double residual;       ///< h [m²]
     double bending_slope;  ///< ∂h/∂u [m²]
     double time_slope;     ///< dh/dτ at fixed u [m²]
   };
@@ -196,7 +195,10 @@ class ElasticaContact : public ElasticBladeInRing {
   }
   /// Its force, beyond the Euler load, too.
   [[nodiscard]] TipForce straight_force(const Pose& at, double slip, double angular_speed) const {
-    return constraint_at(at, slip, straight(straight_load(at)), angular_speed).force;
+    const double load = straight_load(at);
+    return constraint_at(at, slip, {load, curve_->axial_compliance() * load, 0.0, 0.0, 0.0, 0.0},
+                         angular_speed)
+        .force;
   }
 
   /// Force at the root on the branch of `bending`, which is updated; false where there is none. Smooth a
@@ -210,17 +212,17 @@ class ElasticaContact : public ElasticBladeInRing {
     return curve_->at(bending);
   }
   /// h [m²] there. `point`: of the curve or one of its knots.
-  [[nodiscard]] double residual(const Pose& at, double slip, const auto& point) const {
+  [[nodiscard]] double residual(const Pose& at, double slip, const blade::CurvePoint& point) const {
     return contact_equation(at.gap, unbent_tip(geometry_, at), bent_by(slip, point)) -
            widening(yield_unit_ * point.load, geometry_.ring_radius);
   }
 
  private:
   /// (δ, s Δ) [m].
-  [[nodiscard]] BladeVector<double> bent_by(double slip, const auto& point) const {
+  [[nodiscard]] BladeVector<double> bent_by(double slip, const blade::CurvePoint& point) const {
     return {length_ * point.shortening, slip * length_ * point.deflection};
   }
-  [[nodiscard]] BladeVector<double> tip(const Pose& at, double slip, const auto& point) const {
+  [[nodiscard]] BladeVector<double> tip(const Pose& at, double slip, const blade::CurvePoint& point) const {
     return unbent_tip(geometry_, at) - bent_by(slip, point);
   }
   /// What ∂h/∂u has of the bend, and of the ring that yields [m²].
@@ -229,7 +231,7 @@ class ElasticaContact : public ElasticBladeInRing {
     [[nodiscard]] double sum() const { return shortening + deflection + ring; }
     [[nodiscard]] double size() const { return std::abs(shortening) + std::abs(deflection) + std::abs(ring); }
   };
-  [[nodiscard]] SlopeParts slope_parts(const Pose& at, double slip, const auto& point) const {
+  [[nodiscard]] SlopeParts slope_parts(const Pose& at, double slip, const blade::CurvePoint& point) const {
     const BladeVector<double> there = tip(at, slip, point);
     const double twice = -2.0 * length_;
     return {twice * there.along * point.shortening_slope,
@@ -237,15 +239,12 @@ class ElasticaContact : public ElasticBladeInRing {
             -2.0 * yield_unit_ * (geometry_.ring_radius + yield_unit_ * point.load) * point.load_slope};
   }
   /// ∂h/∂u.
-  [[nodiscard]] double slope(const Pose& at, double slip, const auto& point) const {
+  [[nodiscard]] double slope(const Pose& at, double slip, const blade::CurvePoint& point) const {
     return slope_parts(at, slip, point).sum();
   }
   [[nodiscard]] Constraint constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
                                          double angular_speed) const;
 
-  [[nodiscard]] blade::CurvePoint straight(double load) const {
-    return {load, curve_->axial_compliance() * load, 0.0, 0.0, 0.0, 0.0};
-  }
   /// The bending with which the force sets in at g = 0 (MODEL 4.2): the first root of g/Δ, which is well
   /// determined where h rises from the unloaded blade by less than the rounding of g. 0 on the approaching
   /// side.

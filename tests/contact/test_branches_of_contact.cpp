@@ -50,7 +50,7 @@ std::vector<Scanned> scan(const ElasticaContact& law, const Pose& at, double sli
   std::vector<double> residuals;
   for (int i = 0; i <= kPoints; ++i) {
     bendings.push_back(first * std::pow(ratio, static_cast<double>(i) / kPoints));
-    residuals.push_back(law.constraint(at, slip, bendings.back(), 0.3).residual);
+    residuals.push_back(law.residual(at, slip, law.curve_at(bendings.back())));
   }
   for (std::size_t i = 1; i < bendings.size(); ++i) {
     if (!(residuals[i - 1] > 0.0 && residuals[i] <= 0.0)) continue;

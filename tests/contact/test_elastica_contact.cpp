@@ -99,7 +99,7 @@ TEST(ElasticaContact, ForceRootIsOnTheFallingBranchAndTheOnlyOne) {
       bool positive = true;
       for (int k = 1; k <= kPoints; ++k) {
         const double part = static_cast<double>(k) / kPoints;
-        const bool now = law.constraint(at, slip, law.curve().end() * part * part, 0.5).residual > 0.0;
+        const bool now = law.residual(at, slip, law.curve_at(law.curve().end() * part * part)) > 0.0;
         if (now != positive) ++changes;
         positive = now;
       }
@@ -288,19 +288,21 @@ TEST(ElasticaContact, SlopesOfTheConstraintAreItsDerivatives) {
       const double angle = 6 * contacts.uniform();
       const double bending = 0.01 + 1.5 * contacts.uniform();
       const double slip = i % 2 == 0 ? 1.0 : -1.0;
-      const auto there = [&](double time, double u) {
-        return law.constraint(pose_at(geometry, angle + speed * time, cx + vx * time, cy + vy * time, vx, vy),
-                              slip, u, speed);
+      const auto pose = [&](double time) {
+        return pose_at(geometry, angle + speed * time, cx + vx * time, cy + vy * time, vx, vy);
       };
-      const auto here = there(0.0, bending);
+      const auto residual = [&](double time, double u) {
+        return law.residual(pose(time), slip, law.curve_at(u));
+      };
+      const auto here = law.constraint(pose(0.0), slip, bending, speed);
       // Central differences of fourth order: truncation and rounding meet near 1e-3.
       const auto difference = [](const auto& function, double step) {
         return (8 * (function(step) - function(-step)) - (function(2 * step) - function(-2 * step))) /
                (12 * step);
       };
       const double by_bending =
-          difference([&](double step) { return there(0.0, bending + step).residual; }, 1e-3 * bending);
-      const double by_time = difference([&](double step) { return there(step, bending).residual; }, 1e-3);
+          difference([&](double step) { return residual(0.0, bending + step); }, 1e-3 * bending);
+      const double by_time = difference([&](double step) { return residual(step, bending); }, 1e-3);
       ASSERT_NEAR(here.bending_slope, by_bending, 1e-9 * square) << friction << ", " << i;
       ASSERT_NEAR(here.time_slope, by_time, 1e-10 * square) << friction << ", " << i;
     }
@@ -327,7 +329,7 @@ TEST(ElasticaContact, MirroredMotionHasTheMirroredForce) {
     EXPECT_EQ(other.force.radial, one.force.radial);
     EXPECT_EQ(other.force.tangential, -one.force.tangential);
     EXPECT_EQ(other.force.slip_velocity, -one.force.slip_velocity);
-    EXPECT_EQ(other.residual, one.residual);
+    EXPECT_EQ(law.residual(mirrored, -1.0, law.curve_at(*root)), law.residual(at, 1.0, law.curve_at(*root)));
     EXPECT_EQ(other.bending_slope, one.bending_slope);
     EXPECT_EQ(other.time_slope, one.time_slope);
   }

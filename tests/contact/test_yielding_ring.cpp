@@ -113,7 +113,7 @@ TEST(YieldingRing, SlopesOfTheConstraintAreItsDerivatives) {
     const Pose at = contacts.next();
     const double bending = 0.01 + 1.2 * contacts.uniform();
     const double slip = i % 2 == 0 ? 1.0 : -1.0;
-    const auto h = [&](double u) { return law.constraint(at, slip, u, 0.3).residual; };
+    const auto h = [&](double u) { return law.residual(at, slip, law.curve_at(u)); };
     const double step = 1e-3 * bending;
     const double difference =
         (8 * (h(bending + step) - h(bending - step)) - (h(bending + 2 * step) - h(bending - 2 * step))) /
