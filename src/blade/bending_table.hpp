@@ -53,6 +53,10 @@ class BendingTable {
     double deflection;
   };
   [[nodiscard]] const std::vector<Knot>& knots() const { return knots_; }
+  /// It covers all bends up to a shortening δ/L.
+  [[nodiscard]] bool covers(double shortening) const {
+    return !knots_.empty() && knots_.back().shortening > shortening;
+  }
 
  private:
   double scale_;  ///< β

@@ -8,19 +8,20 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "collocation/arc_law.hpp"
 #include "contact/elastica_contact.hpp"
-#include "contact/unequal_blades.hpp"
 
 namespace rubatlas::collocation {
 
 class AxialLaw : public ArcLaw {
  public:
-  using Laws = contact::UnequalBlades<contact::ElasticaContact>;
-  /// `laws` outlive it. `max_shortening`: of δ/L.
-  AxialLaw(const Laws& laws, double max_shortening)
-      : laws_(&laws), solver_(interval_solver()), max_shortening_(max_shortening) {}
+  using Blades = std::vector<const contact::ElasticaContact*>;
+  /// `blades` outlive it. `max_shortening`: of δ/L.
+  AxialLaw(Blades blades, double max_shortening)
+      : blades_(std::move(blades)), solver_(interval_solver()), max_shortening_(max_shortening) {}
 
   [[nodiscard]] Blade numbers(int blade) const override;
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return of(blade).geometry(); }
@@ -69,13 +70,15 @@ class AxialLaw : public ArcLaw {
 
  protected:
   static constexpr double kStraight = 1e-6;  ///< p: not 0, from where a blade would begin to bend
-  [[nodiscard]] const contact::ElasticaContact& of(int blade) const { return laws_->of(blade); }
+  [[nodiscard]] const contact::ElasticaContact& of(int blade) const {
+    return *blades_[static_cast<std::size_t>(blade)];
+  }
   [[nodiscard]] const blade::BendingTable& table(int blade) const { return of(blade).curve().over_asinh(); }
 
  private:
   [[nodiscard]] double gap_measure(const Touch& touch, const contact::Pose& at) const;
 
-  const Laws* laws_;
+  Blades blades_;
   IntervalSolver solver_;
   double max_shortening_;
   int leader_ = 0;

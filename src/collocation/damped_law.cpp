@@ -2,25 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 namespace rubatlas::collocation {
 namespace {
 
-AxialLaw::Laws blades_of(const DampedLaw::Laws& laws, int blade_count) {
-  std::vector<contact::ElasticaContact> blades;
-  blades.reserve(static_cast<std::size_t>(blade_count));
-  for (int k = 0; k < blade_count; ++k) blades.push_back(laws.of(k).blade());
-  return AxialLaw::Laws(std::move(blades));
+AxialLaw::Blades blades_of(const DampedLaw::Laws& laws, int blade_count) {
+  AxialLaw::Blades blades;
+  for (int k = 0; k < blade_count; ++k) blades.push_back(&laws.of(k).blade());
+  return blades;
 }
 
 }  // namespace
 
 DampedLaw::DampedLaw(const Laws& laws, int blade_count, double max_shortening)
-    : BladesOfRing{blades_of(laws, blade_count)},
-      AxialLaw(BladesOfRing::blades, max_shortening),
-      laws_(&laws) {}
+    : AxialLaw(blades_of(laws, blade_count), max_shortening), laws_(&laws) {}
 
 Blade DampedLaw::numbers(int blade) const {
   const contact::DampedRing& ring = laws_->of(blade).ring();
@@ -33,7 +28,6 @@ Blade DampedLaw::numbers(int blade) const {
 /// A new contact stands on the ring, which yields by as much as its tip is deep.
 std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at, double speed) const {
   const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
-  const double radius = law.geometry().ring_radius;
   Touch found = touch;
   if (touch.straight) {
     found.yielding = law.depth(at);
@@ -42,6 +36,7 @@ std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at
     return std::nullopt;
   }
   if (touch.touches_down() && touch.yielding == 0.0) found.yielding = law.depth(at);
+  const double radius = law.geometry().ring_radius;
   contact::Pose there = at;
   there.gap = touch.touches_down() ? 0.0 : at.gap - found.yielding * (2.0 * radius + found.yielding);
   if (touch.touches_down() && starts_unloaded(touch.blade, touch.slip, there)) return found;

@@ -10,15 +10,11 @@
 
 #include "collocation/axial_law.hpp"
 #include "contact/damped_ring.hpp"
+#include "contact/unequal_blades.hpp"
 
 namespace rubatlas::collocation {
 
-/// What the base of a law is made from has to be there before.
-struct BladesOfRing {
-  AxialLaw::Laws blades;
-};
-
-class DampedLaw final : private BladesOfRing, public AxialLaw {
+class DampedLaw final : public AxialLaw {
  public:
   using Laws = contact::UnequalBlades<contact::ElasticBladeOnDampedRing>;
   /// `laws` outlive it. `max_shortening`: of δ/L.

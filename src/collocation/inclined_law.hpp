@@ -312,10 +312,7 @@ class InclinedLaw final : public ArcLaw {
   /// Null where it ends before a blade may be shortened so far.
   [[nodiscard]] const blade::BendingTable* table_of(int blade) const {
     const blade::ElasticaCurve* const curve = law_->of(blade).curve();
-    if (curve == nullptr) return nullptr;
-    const blade::BendingTable& table = curve->over_asinh();
-    const auto& knots = table.knots();
-    return !knots.empty() && knots.back().shortening > max_shortening_ ? &table : nullptr;
+    return curve != nullptr && curve->over_asinh().covers(max_shortening_) ? &curve->over_asinh() : nullptr;
   }
   /// As a blade of the paper's law.
   [[nodiscard]] bool solve_by_table(const Machine& machine, const Closeness& closeness,

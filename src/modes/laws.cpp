@@ -20,14 +20,6 @@ using collocation::ArcLaw;
 
 namespace {
 
-/// Whether the tables of all blades cover all bends that are valid.
-bool have_tables(const auto& law, int count, double max_shortening) {
-  for (int k = 0; k < count; ++k) {
-    const auto& knots = law.of(k).curve().over_asinh().knots();
-    if (knots.empty() || !(knots.back().shortening > max_shortening)) return false;
-  }
-  return true;
-}
 bool takes(const std::optional<double>& root, OpenContact& contact) {
   if (root) contact.bending = *root;
   return root.has_value();
@@ -50,7 +42,10 @@ std::unique_ptr<RestJudge> LawOfRigidBlades::rest_judge(const ContactSetup& setu
 
 std::unique_ptr<ArcLaw> LawOfDampedRing::arcs(const rotor::Machine& machine, double max_shortening) const {
   const int count = machine.blades.count();
-  if (!(of(0).curve().friction() > 0.0) || !have_tables(*this, count, max_shortening)) return nullptr;
+  for (int k = 0; k < count; ++k) {
+    const blade::ElasticaCurve& curve = of(k).curve();
+    if (!(curve.friction() > 0.0) || !curve.over_asinh().covers(max_shortening)) return nullptr;
+  }
   return std::make_unique<collocation::DampedLaw>(blades(), count, max_shortening);
 }
 
@@ -104,8 +99,12 @@ Standing LawOfInclinedLoads::snap(const TipPlace& at, OpenContact& contact) cons
 // Elastic blades under an axial load.
 
 std::unique_ptr<ArcLaw> LawOfAxialLoads::arcs(const rotor::Machine& machine, double max_shortening) const {
-  if (!have_tables(*this, machine.blades.count(), max_shortening)) return nullptr;
-  return std::make_unique<collocation::AxialLaw>(blades(), max_shortening);
+  collocation::AxialLaw::Blades arcs_of;
+  for (int k = 0; k < machine.blades.count(); ++k) {
+    if (!of(k).curve().over_asinh().covers(max_shortening)) return nullptr;
+    arcs_of.push_back(&of(k));
+  }
+  return std::make_unique<collocation::AxialLaw>(std::move(arcs_of), max_shortening);
 }
 
 /// None for small slopes, and where axial compliance or a ring that yields gives way besides: there the place

@@ -18,8 +18,9 @@ struct ArcOfRotor {
       : machine(machine_of(rotor, rotor::BladeSet(blade_count, rotor.speed_ratio),
                            rotor::Harmonics(unbalance != nullptr ? std::vector{*unbalance}
                                                                  : std::vector<rotor::Harmonic>{}))),
-        laws(std::vector(static_cast<std::size_t>(blade_count), law)),
-        law_of_arc(laws, kMaxShortening),
+        blade(law),
+        law_of_arc(collocation::AxialLaw::Blades(static_cast<std::size_t>(blade_count), &blade),
+                   kMaxShortening),
         arc(machine, law_of_arc, tolerance) {}
   ArcOfRotor(const ArcOfRotor&) = delete;
   ArcOfRotor& operator=(const ArcOfRotor&) = delete;
@@ -36,7 +37,7 @@ struct ArcOfRotor {
 
   rotor::Machine machine;
   static constexpr double kMaxShortening = 0.5;
-  collocation::AxialLaw::Laws laws;
+  contact::ElasticaContact blade;
   collocation::AxialLaw law_of_arc;
   collocation::ContactArc arc;
 };
