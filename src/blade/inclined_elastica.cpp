@@ -117,16 +117,17 @@ InclinedPoint integrated(double modulus, double amplitude) {
 
 }  // namespace
 
-InclinedPoint inclined_equilibrium(double modulus, double amplitude) {
+InclinedPoint inclined_equilibrium(Bend bend) {
+  constexpr double kUnloaded = 1e-100;  // next to φ = 0, where quotients are 0/0
+  if (!(std::abs(bend.amplitude) > kUnloaded)) bend.amplitude = kUnloaded;
   // What judges a contact asks for the same blade again, half of the time.
   struct Last {
-    double modulus = std::numeric_limits<double>::quiet_NaN();
-    double amplitude = 0.0;
+    Bend bend{std::numeric_limits<double>::quiet_NaN(), 0.0};
     InclinedPoint point{};
   };
   thread_local Last last;
-  if (modulus != last.modulus || amplitude != last.amplitude)
-    last = {modulus, amplitude, integrated(modulus, amplitude)};
+  if (bend.modulus != last.bend.modulus || bend.amplitude != last.bend.amplitude)
+    last = {bend, integrated(bend.modulus, bend.amplitude)};
   return last.point;
 }
 

@@ -43,8 +43,8 @@ struct Bend {
 inline constexpr double kLargestModulus = 0.999;
 inline constexpr double kLargestAmplitude = 3.14;
 
-/// Equilibrium at −kLargestModulus <= κ <= kLargestModulus, 0 < φ <= kLargestAmplitude. Relative errors of a
-/// few 1e-15 against `equilibrium`, however small the load.
-InclinedPoint inclined_equilibrium(double modulus, double amplitude);
+/// Equilibrium at −kLargestModulus <= κ <= kLargestModulus, 0 <= φ <= kLargestAmplitude; φ = 0: without load.
+/// It is even in φ. Relative errors of a few 1e-15 against `equilibrium`, however small the load.
+InclinedPoint inclined_equilibrium(Bend bend);
 
 }  // namespace rubatlas::blade

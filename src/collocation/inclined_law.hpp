@@ -61,7 +61,7 @@ class InclinedLaw final : public ArcLaw {
     if (touch.slip == 0.0) {
       const auto rest = law.rest(at, speed, touch.bend);
       if (!rest || !(rest->firmness > contact::kLeastFirmness)) return std::nullopt;
-      opened.bend = rest->blade.bend;
+      opened.bend = rest->bend;
       goes_on(law, at, speed, opened, kNear);  // to rounding
       return opened;
     }
@@ -180,7 +180,7 @@ class InclinedLaw final : public ArcLaw {
   }
   [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& at,
                                             const contact::TipForce& force) const override {
-    if (touch.slip == 0.0) return holding_coefficient(touch, at);
+    if (touch.slip == 0.0) return constraint(touch, at, 0.0).coefficient;
     return law_->of(touch.blade).friction().coefficient(force.slip_velocity, touch.slip);
   }
   [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
@@ -291,18 +291,11 @@ class InclinedLaw final : public ArcLaw {
     return true;
   }
 
-  /// c that holds a tip at rest.
-  [[nodiscard]] double holding_coefficient(const Touch& touch, const contact::Pose& at) const {
-    const auto& law = law_->of(touch.blade);
-    const blade::InclinedPoint point = blade::inclined_equilibrium(touch.bend.modulus, touch.bend.amplitude);
-    if (law.direction() == contact::LoadDirection::axial) return std::tan(point.load_angle.value);
-    const contact::BladeVector<double> tip = law.tip_of(at, point);
-    return std::tan(point.load_angle.value - std::atan2(tip.across, tip.along));
-  }
+  /// With the c that holds a tip at rest, of which d is the angle where there is no friction.
   [[nodiscard]] contact::DirectedElastica::Constraint constraint(const Touch& touch, const contact::Pose& at,
                                                                  double speed) const {
-    auto there = law_->of(touch.blade).constraint_or_unloaded(at, touch.slip, speed, touch.bend);
-    if (touch.slip == 0.0) there.coefficient = holding_coefficient(touch, at);
+    auto there = law_->of(touch.blade).constraint(at, touch.slip, speed, touch.bend);
+    if (touch.slip == 0.0) there.coefficient = std::tan(there.misdirection);
     return there;
   }
 

@@ -49,11 +49,9 @@ struct InclinedLoad {
     return left * ((u * u + lean * lean) - least * least);
   }
 
-  /// c² up to which friction holds a tip. A tip comes to rest at the very edge of the cone, where its
-  /// coefficient is known to some 1e-8: whether it rests must not depend on that.
+  /// c² up to which friction holds a tip.
   [[nodiscard]] double cone() const {
-    constexpr double kShareBeyond = 1e-7;
-    const double largest = (1.0 + kShareBeyond) * friction.static_friction;
+    const double largest = (1.0 + contact::kBeyondCone) * friction.static_friction;
     return largest * largest;
   }
 

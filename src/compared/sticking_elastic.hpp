@@ -31,7 +31,7 @@ class StickingElastic : public Solved {
     const modes::OpenContact& open = contacts_[contact];
     if (open.slip != 0.0) return Solved::friction_of(contact, force, state);
     const auto there = rest_.rest(open, state);
-    return there ? there->blade.coefficient : 0.0;
+    return there ? there->coefficient : 0.0;
   }
   /// The force of tips that are all at rest is smooth.
   template <class Step>

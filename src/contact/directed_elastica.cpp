@@ -154,8 +154,7 @@ class DirectedElastica::Walk {
       return there ? there->residual : at_low_;
     };
     const auto found = bend(integrate::root_between(residual, *low_, *high_, at_low_, at_high_));
-    if (!found ||
-        blade::inclined_equilibrium(found->modulus, found->amplitude).shortening.value > kLargestShortening)
+    if (!found || blade::inclined_equilibrium(*found).shortening.value > kLargestShortening)
       return std::nullopt;
     return found;
   }
@@ -223,7 +222,7 @@ auto DirectedElastica::solve_for_coefficient(const Pose& at, double slip, double
   const auto excess = [&](double coefficient) {
     bend = at_coefficient(coefficient);
     if (!bend) return std::numeric_limits<double>::quiet_NaN();
-    return coefficient - constraint_or_unloaded(at, slip, angular_speed, *bend).coefficient;
+    return coefficient - constraint(at, slip, angular_speed, *bend).coefficient;
   };
   const double start = load_angle(at, slip, angular_speed, unbent_tip(geometry_, at)).coefficient;
   double low = start;
@@ -291,42 +290,40 @@ TipForce DirectedElastica::force_of(const Pose& at, double angular_speed, const 
 }
 
 auto DirectedElastica::rest(const Pose& at, double angular_speed, const Bend& near) const
-    -> std::optional<Rest> {
+    -> std::optional<RestingBlade> {
   constexpr int kSteps = 8;                        // where Newton's method does not converge at once
   constexpr std::uint64_t kEvaluationsOfHold = 8;  // as a rule, of Newton's method on both unknowns
   if (!(near.amplitude > 0.0)) return std::nullopt;
-  const BladeVector<double> tip = tip_of(at, blade::inclined_equilibrium(near.modulus, near.amplitude));
+  const BladeVector<double> tip = tip_of(at, blade::inclined_equilibrium(near));
   const double from = std::atan2(tip.across, tip.along);
   const auto place = resting_normal_angle(geometry_, at, angular_speed, from);
   if (!place) return std::nullopt;
   evaluations_ += kEvaluationsOfHold;
-  auto resting = hold(direction_, geometry_, length_, at, *place, near);
+  auto resting = hold(direction_, geometry_, length_, at, angular_speed, *place, near);
   if (!resting) {
     Bend bend = near;
     for (int i = 0; i <= kSteps; ++i) {
       evaluations_ += kEvaluationsOfHold;
-      resting = hold(direction_, geometry_, length_, at, from + (*place - from) * i / kSteps, bend);
+      const double there = from + (*place - from) * i / kSteps;
+      resting = hold(direction_, geometry_, length_, at, angular_speed, there, bend);
       if (!resting) return std::nullopt;
       bend = resting->bend;
     }
   }
-  return Rest{*resting, firmness(*resting, geometry_, at, angular_speed, *place)};
-}
-
-bool DirectedElastica::respond_at_rest(const Pose& at, double angular_speed, Bend& bend,
-                                       TipForce& force) const {
-  const auto there = rest(at, angular_speed, bend);
-  if (!there) return false;
-  bend = there->blade.bend;
-  Constraint standing = constraint(at, 0.0, angular_speed, bend);
-  standing.coefficient = there->blade.coefficient;
-  force = force_of(at, angular_speed, standing);
-  return true;
+  return resting;
 }
 
 bool DirectedElastica::respond(const Pose& at, double slip, double angular_speed, Bend& bend,
                                TipForce& force) const {
-  if (friction_.sticks && slip == 0.0) return respond_at_rest(at, angular_speed, bend, force);
+  if (friction_.sticks && slip == 0.0) {
+    const auto there = rest(at, angular_speed, bend);
+    if (!there) return false;
+    bend = there->bend;
+    Constraint standing = constraint(at, slip, angular_speed, bend);
+    standing.coefficient = there->coefficient;
+    force = force_of(at, angular_speed, standing);
+    return true;
+  }
   const double first = first_load_angle(at, slip, angular_speed);
   double side = first != 0.0 ? std::copysign(1.0, first) : slip;
   bool known = bend.modulus != 0.0;
@@ -349,7 +346,7 @@ bool DirectedElastica::respond(const Pose& at, double slip, double angular_speed
   }
   if (!root) return false;
   bend = *root;
-  force = force_of(mirrored, angular_speed, constraint_or_unloaded(mirrored, slip, angular_speed, bend));
+  force = force_of(mirrored, angular_speed, constraint(mirrored, slip, angular_speed, bend));
   if (beyond_end && side * first > 0.0) {
     force.radial = -force.radial;
     force.tangential = -force.tangential;

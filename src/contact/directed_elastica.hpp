@@ -81,7 +81,7 @@ class DirectedElastica : public ElasticBladeInRing {
                                       const Bend& bend) const {
     ++evaluations_;
     Constraint result;
-    result.blade = blade::inclined_equilibrium(bend.modulus, bend.amplitude);
+    result.blade = blade::inclined_equilibrium(bend);
     const blade::InclinedPoint& point = result.blade;
     const BladeVector<double>& tip = result.tip = tip_of(at, point);
     result.residual = contact_equation(at.gap, unbent_tip(geometry_, at), bent_by(point));
@@ -103,15 +103,6 @@ class DirectedElastica : public ElasticBladeInRing {
     return result;
   }
 
-  /// A blade at one bend, also without load (φ = 0). It is even in φ: φ and −φ are the same blade.
-  [[nodiscard]] static blade::InclinedPoint blade_at(const Bend& bend) {
-    return blade::inclined_equilibrium(bend.modulus, or_unloaded(bend).amplitude);
-  }
-  /// Its constraint.
-  [[nodiscard]] Constraint constraint_or_unloaded(const Pose& at, double slip, double angular_speed,
-                                                  const Bend& bend) const {
-    return constraint(at, slip, angular_speed, or_unloaded(bend));
-  }
   /// Newton's step from a bend towards h = 0 and d = 0.
   [[nodiscard]] static Bend correction(const Constraint& there) {
     const double determinant = there.determinant();
@@ -172,16 +163,9 @@ class DirectedElastica : public ElasticBladeInRing {
   bool respond(const Pose& at, double slip, double angular_speed, Bend& bend, TipForce& force) const;
 
   /// The blade that holds its tip at rest on the ring, found from the bend `near`; none where no blade can.
-  struct Rest {
-    RestingBlade blade;
-    double firmness;
-  };
-  [[nodiscard]] std::optional<Rest> rest(const Pose& at, double angular_speed, const Bend& near) const;
+  [[nodiscard]] std::optional<RestingBlade> rest(const Pose& at, double angular_speed,
+                                                 const Bend& near) const;
 
-  /// Where the tip of a bent blade lies [m].
-  [[nodiscard]] BladeVector<double> tip_of(const Pose& at, const blade::InclinedPoint& point) const {
-    return unbent_tip(geometry_, at) - bent_by(point);
-  }
   /// b of the undeformed blade [rad]; a blade that has just touched bends to the side of its sign.
   [[nodiscard]] double first_load_angle(const Pose& at, double slip, double angular_speed) const {
     return load_angle(at, slip, angular_speed, unbent_tip(geometry_, at)).angle;
@@ -191,9 +175,9 @@ class DirectedElastica : public ElasticBladeInRing {
   [[nodiscard]] BladeVector<double> bent_by(const blade::InclinedPoint& point) const {
     return {length_ * point.shortening.value, length_ * point.deflection.value};
   }
-  static Bend or_unloaded(const Bend& bend) {
-    constexpr double kUnloaded = 1e-100;
-    return {bend.modulus, std::abs(bend.amplitude) > kUnloaded ? bend.amplitude : kUnloaded};
+  /// Where the tip of a bent blade lies [m].
+  [[nodiscard]] BladeVector<double> tip_of(const Pose& at, const blade::InclinedPoint& point) const {
+    return unbent_tip(geometry_, at) - bent_by(point);
   }
   [[nodiscard]] bool follows_normal() const { return direction_ == LoadDirection::normal; }
   /// Does a contact remember the side to which its blade is bent?
@@ -212,28 +196,15 @@ class DirectedElastica : public ElasticBladeInRing {
   /// the normal.
   [[nodiscard]] LoadAngle load_angle(const Pose& at, double slip, double angular_speed,
                                      const BladeVector<double>& tip) const {
-    double normal_angle = 0.0;
-    double by_normal = 0.0;
-    if (follows_normal()) {
-      normal_angle = std::atan2(tip.across, tip.along);
-      by_normal = 1.0;
-    }
-    if (!friction_.depends_on_velocity()) {
-      const double coefficient = friction_.coefficient(0.0, slip);
-      return {normal_angle + std::atan(coefficient), by_normal, coefficient};
-    }
     const BladeVector<double> rate = tip_rate(at, angular_speed);
     const double per_distance = 1.0 / magnitude(tip);
     const double velocity = slip_velocity(tip, rate, angular_speed, per_distance, geometry_.ring_radius);
     const double velocity_by_normal = -per_distance * dot(tip, rate);
-    const double coefficient = friction_.coefficient(velocity, slip);
-    return {normal_angle + std::atan(coefficient),
-            by_normal + friction_.slope(velocity) * velocity_by_normal / (1.0 + coefficient * coefficient),
+    const auto [coefficient, slope] = friction_.at(velocity, slip);
+    return {(follows_normal() ? std::atan2(tip.across, tip.along) : 0.0) + std::atan(coefficient),
+            (follows_normal() ? 1.0 : 0.0) + slope * velocity_by_normal / (1.0 + coefficient * coefficient),
             coefficient};
   }
-
-  /// `respond` of a tip at rest.
-  bool respond_at_rest(const Pose& at, double angular_speed, Bend& bend, TipForce& force) const;
 
   /// Newton's method from a bend; none where it leaves the side, or ends on another branch than `solve`.
   [[nodiscard]] std::optional<Bend> newton(const Pose& at, double slip, double angular_speed,

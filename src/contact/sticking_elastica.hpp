@@ -56,14 +56,16 @@ inline std::optional<double> resting_normal_angle(const Geometry& geometry, cons
 struct RestingBlade {
   blade::Bend bend;
   double coefficient;  ///< c that holds it [-]
-  double determinant;  ///< has the sign of ∂(δ, D)/∂(κ, φ), and is zero at the end of the places that can be
-                       ///< held
+  /// How firmly the tip rests: dv/dα / (Ω R), with the sign that makes it positive where v falls as c grows,
+  /// so that rest is stable, and negative where rest is unstable.
+  double firmness;
 };
 
 /// Blade of length L [m] with its tip at the normal angle α on the ring, found by Newton's method from a
 /// neighbouring bend and on its side; none where the method does not converge to a blade under pressure.
 inline std::optional<RestingBlade> hold(LoadDirection direction, const Geometry& geometry, double length,
-                                        const Pose& at, double normal_angle, const blade::Bend& near) {
+                                        const Pose& at, double angular_speed, double normal_angle,
+                                        const blade::Bend& near) {
   constexpr double kLeast = 0.25;  // factors by which a step may change κ and φ
   constexpr double kMost = 4.0;
   const double a = geometry.ring_radius * std::cos(normal_angle);
@@ -78,7 +80,7 @@ inline std::optional<RestingBlade> hold(LoadDirection direction, const Geometry&
   blade::Bend bend = near;
   double previous = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < 40; ++iteration) {
-    const blade::InclinedPoint point = blade::inclined_equilibrium(bend.modulus, bend.amplitude);
+    const blade::InclinedPoint point = blade::inclined_equilibrium(bend);
     const blade::Inclined& delta = point.shortening;
     const blade::Inclined& aside_now = point.deflection;
     if (!(delta.value > 0.0) || !(side * aside_now.value > 0.0)) return std::nullopt;
@@ -104,7 +106,12 @@ inline std::optional<RestingBlade> hold(LoadDirection direction, const Geometry&
       const double load_angle = 2.0 * std::asin(bend.modulus * std::cos(bend.amplitude));
       const double angle = direction == LoadDirection::normal ? load_angle - normal_angle : load_angle;
       if (!(std::cos(angle) > 0.0)) return std::nullopt;  // the ring would have to pull
-      return RestingBlade{bend, std::tan(angle), determinant};
+      const BladeVector<double> rate = tip_rate(at, angular_speed);
+      const double by_angle = -rate.across * std::sin(normal_angle) - rate.along * std::cos(normal_angle);
+      // The determinant has the sign of ∂(δ, D)/∂(κ, φ).
+      return RestingBlade{
+          bend, std::tan(angle),
+          -std::copysign(1.0, determinant) * by_angle / std::abs(angular_speed * geometry.ring_radius)};
     }
     previous = size;
   }
@@ -114,17 +121,11 @@ inline std::optional<RestingBlade> hold(LoadDirection direction, const Geometry&
 /// Of `firmness`, at which a tip comes loose: where dv/dα passes through zero, c changes within times that
 /// vanish with it.
 inline constexpr double kLeastFirmness = 1e-6;
+/// Of μs, beyond which a tip comes loose. A tip comes to rest at the very edge of the cone, where its
+/// coefficient is known to some 1e-8: whether it rests must not depend on that.
+inline constexpr double kBeyondCone = 1e-7;
 /// κ, of μs, below which the blade of a tip at rest is a straight strut between hub and ring, as stiff as
 /// 1/κ², and about to leave the ring: the tip comes loose.
 inline constexpr double kLeastModulus = 2e-4;
-
-/// How firmly a tip rests: dv/dα / (Ω R), with the sign that makes it positive where v falls as c grows, so
-/// that rest is stable, and negative where rest is unstable.
-inline double firmness(const RestingBlade& resting, const Geometry& geometry, const Pose& at,
-                       double angular_speed, double normal_angle) {
-  const BladeVector<double> rate = tip_rate(at, angular_speed);
-  const double by_angle = -rate.across * std::sin(normal_angle) - rate.along * std::cos(normal_angle);
-  return -std::copysign(1.0, resting.determinant) * by_angle / std::abs(angular_speed * geometry.ring_radius);
-}
 
 }  // namespace rubatlas::contact

@@ -11,13 +11,6 @@
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
-namespace {
-
-/// Of μs, beyond which a tip comes loose. A tip comes to rest at the very edge of the cone, where its
-/// coefficient is known to some 1e-8: whether it rests must not depend on that.
-constexpr double kShareBeyond = 1e-7;
-
-}  // namespace
 
 const contact::DirectedElastica& RestOfElasticBlades::of(int blade) const {
   return static_cast<const LawOfInclinedLoads&>(*law_).of(blade);
@@ -49,8 +42,8 @@ bool RestOfElasticBlades::come_to_rest(OpenContact& contact, const State& state)
 double RestOfElasticBlades::leave_rest(OpenContact& contact, const State& state) const {
   constexpr double kAtTheEdge = 1e-6;  // of the cone
   const auto there = rest(contact, state);
-  if (there && beyond_cone(contact, (1.0 + kAtTheEdge) * there->blade.coefficient) > 0.0) {
-    contact.slip = std::copysign(1.0, there->blade.coefficient);
+  if (there && beyond_cone(contact, (1.0 + kAtTheEdge) * there->coefficient) > 0.0) {
+    contact.slip = std::copysign(1.0, there->coefficient);
     return 0.0;
   }
   OpenContact ahead = contact;
@@ -79,12 +72,11 @@ double RestOfElasticBlades::looseness(const OpenContact& open, const std::option
   constexpr double kLost = 1.0;
   if (!there) return kLost;
   const double least_modulus = contact::kLeastModulus * of(open.blade).friction().static_friction;
-  return std::max({beyond_cone(open, there->blade.coefficient),
-                   1.0 - there->firmness / contact::kLeastFirmness,
-                   1.0 - std::abs(there->blade.bend.modulus) / least_modulus});
+  return std::max({beyond_cone(open, there->coefficient), 1.0 - there->firmness / contact::kLeastFirmness,
+                   1.0 - std::abs(there->bend.modulus) / least_modulus});
 }
 double RestOfElasticBlades::beyond_cone(const OpenContact& open, double coefficient) const {
-  return std::abs(coefficient) - (1.0 + kShareBeyond) * of(open.blade).friction().static_friction;
+  return std::abs(coefficient) - (1.0 + contact::kBeyondCone) * of(open.blade).friction().static_friction;
 }
 
 /// Puts a tip to rest where friction can hold it near its bend; false, and nothing changed, where not.
@@ -92,7 +84,7 @@ bool RestOfElasticBlades::rests(OpenContact& contact, const State& state) const 
   const auto there = rest(contact, state);
   if (looseness(contact, there) > 0.0) return false;
   contact.slip = 0.0;
-  contact.bend = there->blade.bend;
+  contact.bend = there->bend;
   return true;
 }
 

@@ -41,7 +41,7 @@ class RestOfElasticBlades : public RestJudge, public TipPlaces {
   /// slips, where not.
   bool come_to_rest(OpenContact& contact, const State& state) const;
 
-  using Rest = contact::DirectedElastica::Rest;
+  using Rest = contact::RestingBlade;
   [[nodiscard]] std::optional<Rest> rest(const OpenContact& open, const State& state) const;
   /// |c| − μs [-], or how far a tip is from being firm, and its blade from being bent, at what `rest` has
   /// found: it comes loose where that is positive. One that nothing can hold has come loose.

@@ -144,7 +144,7 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
     load = elastic->load_unit() * of(point.load, point.load_slope, u);
   } else if (const auto* directed = std::get_if<DirectedBlade>(&law)) {
     tip.unknowns = 2;
-    const blade::InclinedPoint point = DirectedBlade::blade_at({contact.modulus, contact.amplitude});
+    const blade::InclinedPoint point = blade::inclined_equilibrium({contact.modulus, contact.amplitude});
     const auto of_bend = [](const auto& quantity) {
       Slopes slopes = Slopes::Zero();
       slopes.segment<2>(kBend) << quantity.by_modulus, quantity.by_amplitude;

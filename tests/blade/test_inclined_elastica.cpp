@@ -30,7 +30,7 @@ TEST(InclinedElastica, IsTheBladeOfTheModelWhereTheLoadBendsIt) {
       const double amplitude =
           std::atan2(std::sqrt(std::sin((tip + beta) / 2) * std::sin(bending * (bending / (tip + beta)) / 2)),
                      std::sin(beta / 2));
-      const InclinedPoint point = inclined_equilibrium(modulus, amplitude);
+      const InclinedPoint point = inclined_equilibrium({modulus, amplitude});
       const auto axial = static_cast<long double>(point.load.value) *
                          std::cos(std::atan(static_cast<long double>(friction)));
       const auto error = [&](long double value, long double reference) {
@@ -58,7 +58,7 @@ TEST(InclinedElastica, BladesBentAgainstTheirLoadFollowLegendresIntegrals) {
       const double mean_cosine = (2 * (ellint_2(modulus) - ellint_2(modulus, rest)) - q) / q;
       const double mean_sine = 2 * modulus * std::sin(amplitude) / q;
       const double b = 2 * std::asin(modulus * std::cos(amplitude));
-      const InclinedPoint point = inclined_equilibrium(modulus, amplitude);
+      const InclinedPoint point = inclined_equilibrium({modulus, amplitude});
       EXPECT_NEAR(point.load.value, q * q, 1e-14 * q * q);
       EXPECT_NEAR(point.load_angle.value, b, 1e-15);
       EXPECT_NEAR(point.shortening.value, 1 - (mean_cosine * std::cos(b) + mean_sine * std::sin(b)), 3e-15);
@@ -78,15 +78,15 @@ TEST(InclinedElastica, ColumnWhoseLoadPointsAtAFixedPoleBucklesLater) {
   // the clamp itself (Timoshenko, Gere, Theory of Elastic Stability, chapter 2).
   double before = kPi * kPi / 4;
   for (double amplitude = 1.6; amplitude < 3.13; amplitude += 0.1) {
-    const InclinedPoint point = inclined_equilibrium(1e-6, amplitude);
+    const InclinedPoint point = inclined_equilibrium({1e-6, amplitude});
     const double pole = point.deflection.value / -point.load_angle.value;  // p/L
     const double q = std::sqrt(point.load.value);
     EXPECT_NEAR(std::tan(q) / q, 1 - pole, 1e-9 * pole) << amplitude;
     EXPECT_GT(point.load.value, before);
     before = point.load.value;
   }
-  EXPECT_NEAR(inclined_equilibrium(1e-6, kPi / 2).load.value, kPi * kPi / 4, 1e-10);
-  const InclinedPoint last = inclined_equilibrium(1e-6, 3.14);
+  EXPECT_NEAR(inclined_equilibrium({1e-6, kPi / 2}).load.value, kPi * kPi / 4, 1e-10);
+  const InclinedPoint last = inclined_equilibrium({1e-6, 3.14});
   EXPECT_NEAR(last.load.value, kPi * kPi, 0.011);
   EXPECT_NEAR(last.deflection.value / -last.load_angle.value, 1.0, 1e-3);
 }
@@ -98,14 +98,14 @@ TEST(InclinedElastica, SlopesAreTheDerivatives) {
         return (8 * (function(step) - function(-step)) - (function(2 * step) - function(-2 * step))) /
                (12 * step);
       };
-      const InclinedPoint here = inclined_equilibrium(modulus, amplitude);
+      const InclinedPoint here = inclined_equilibrium({modulus, amplitude});
       for (const auto member : {&InclinedPoint::load, &InclinedPoint::load_angle, &InclinedPoint::shortening,
                                 &InclinedPoint::deflection}) {
         const auto by_modulus = [&](double step) {
-          return (inclined_equilibrium(modulus + step, amplitude).*member).value;
+          return (inclined_equilibrium({modulus + step, amplitude}).*member).value;
         };
         const auto by_amplitude = [&](double step) {
-          return (inclined_equilibrium(modulus, amplitude + step).*member).value;
+          return (inclined_equilibrium({modulus, amplitude + step}).*member).value;
         };
         EXPECT_NEAR((here.*member).by_modulus, difference(by_modulus, 2e-4), 1e-8)
             << modulus << ", " << amplitude;
@@ -118,8 +118,8 @@ TEST(InclinedElastica, SlopesAreTheDerivatives) {
 
 TEST(InclinedElastica, MirroredBladeHasTheMirroredShapeToTheLastBit) {
   for (const double amplitude : {1e-5, 0.5, 1.7, 3.0}) {
-    const InclinedPoint one = inclined_equilibrium(0.3, amplitude);
-    const InclinedPoint other = inclined_equilibrium(-0.3, amplitude);
+    const InclinedPoint one = inclined_equilibrium({0.3, amplitude});
+    const InclinedPoint other = inclined_equilibrium({-0.3, amplitude});
     EXPECT_EQ(other.load.value, one.load.value);
     EXPECT_EQ(other.load_angle.value, -one.load_angle.value);
     EXPECT_EQ(other.shortening.value, one.shortening.value);

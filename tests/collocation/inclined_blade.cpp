@@ -32,7 +32,7 @@ TEST(InclinedBladeInLanes, IsTheElasticaWithItsSlopes) {
     InclinedBlade<2> at;
     BladeRule rule;
     if (!at.set<true>(Number(u), Number(lean), rule)) continue;  // so long a rule is not kept
-    const blade::InclinedPoint exact = blade::inclined_equilibrium(kappa, phi);
+    const blade::InclinedPoint exact = blade::inclined_equilibrium({kappa, phi});
     const auto expect_same = [&](const InclinedBlade<2>::WithSlopes& found, const blade::Inclined& expected) {
       // The chart's slopes, from those by κ and φ.
       const double by_bending = (expected.by_modulus * u + expected.by_amplitude * lean / kappa) / kappa;

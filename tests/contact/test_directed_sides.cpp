@@ -276,11 +276,12 @@ TEST(StickingElastica, HeldBladeNeedsTheFrictionUnderWhichASlidingOneStandsThere
     ASSERT_NEAR(slip(place), 0.0, 1e-15);
     // From a nearby bend to the one that holds the tip there.
     const blade::Bend near{sliding.bending * 1.02, sliding.amplitude * 0.99};
-    const auto held = hold(LoadDirection::normal, law.geometry(), kDefaultRotor.length, at, place, near);
+    const auto held =
+        hold(LoadDirection::normal, law.geometry(), kDefaultRotor.length, at, speed, place, near);
     if (!held) continue;
     // δ of a lightly bent blade carries 1e-16 of rounding, and only little of δ tells how it is loaded.
     ASSERT_NEAR(held->coefficient, c, 3e-13 / sliding.force.shortening) << i;
-    const blade::InclinedPoint point = blade::inclined_equilibrium(held->bend.modulus, held->bend.amplitude);
+    const blade::InclinedPoint point = blade::inclined_equilibrium(held->bend);
     ASSERT_NEAR(kDefaultRotor.ring_radius * std::cos(place),
                 at.radial + kDefaultRotor.length * (1 - point.shortening.value), 1e-15);
     ASSERT_NEAR(kDefaultRotor.ring_radius * std::sin(place),
@@ -306,7 +307,7 @@ TEST(StickingElastica, FrictionOfAHeldTipGrowsAsTheShaftMovesOnUntilTheTipSlides
   blade::Bend bend{met.bending, met.amplitude};
   const auto held = [&](double by) {
     const auto result =
-        hold(LoadDirection::normal, law.geometry(), kDefaultRotor.length, moved(by), place, bend);
+        hold(LoadDirection::normal, law.geometry(), kDefaultRotor.length, moved(by), 0.5, place, bend);
     EXPECT_TRUE(result.has_value()) << by;
     if (result) bend = result->bend;
     return result ? result->coefficient : INFINITY;
