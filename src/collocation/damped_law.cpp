@@ -36,9 +36,9 @@ std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at
     return std::nullopt;
   }
   if (touch.touches_down() && touch.yielding == 0.0) found.yielding = law.depth(at);
-  const double radius = law.geometry().ring_radius;
   contact::Pose there = at;
-  there.gap = touch.touches_down() ? 0.0 : at.gap - found.yielding * (2.0 * radius + found.yielding);
+  there.gap =
+      touch.touches_down() ? 0.0 : at.gap - contact::widening(found.yielding, law.geometry().ring_radius);
   if (touch.touches_down() && starts_unloaded(touch.blade, touch.slip, there)) return found;
   contact::TipForce force{};
   if (!law.respond(there, touch.slip, speed, found.yielding, found.bending, force)) return std::nullopt;

@@ -9,7 +9,6 @@
 /// from there: y is the depth of the tip.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -80,12 +79,8 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
     state[rotor::kTime] = time;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const int blade = contacts[i].blade;
-      const contact::Geometry& geometry = law_->geometry(blade);
-      const double gap = pose(blade, state).gap;
-      const double depth =
-          gap / (geometry.ring_radius + std::sqrt(geometry.ring_radius * geometry.ring_radius + gap));
       const bool is_new = contacts[i].bending == 0.0 && contacts[i].yielding == 0.0;
-      state[place_of(i)] = is_new ? std::max(0.0, depth) : contacts[i].yielding;
+      state[place_of(i)] = is_new ? of(blade).depth(pose(blade, state)) : contacts[i].yielding;
     }
     return true;
   }
@@ -180,9 +175,8 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
   /// |rk|² − (R + y)² [m²] of an open contact.
   [[nodiscard]] double gap_to_ring(std::size_t contact, const FullState& state) const {
     const OpenContact& open = contacts_[contact];
-    const double radius = law_->geometry(open.blade).ring_radius;
-    const double yielding = state[place_of(contact)];
-    return pose(open.blade, state).gap - yielding * (2.0 * radius + yielding);
+    return pose(open.blade, state).gap -
+           contact::widening(state[place_of(contact)], law_->geometry(open.blade).ring_radius);
   }
   /// The force of a contact, and dy/dτ there. False where there is none.
   bool find_force(const FullState& state, const contact::BladeDirection& first, OpenContact& open,
