@@ -22,22 +22,31 @@ auto ElasticaContact::constraint_at(const Pose& at, double slip, const blade::Cu
 }
 
 std::optional<double> ElasticaContact::solve(const Pose& at, double slip) const {
-  const bool beyond_ring = releases_at_fold() && at.gap < -gap_rounding(geometry(), at);
-  if (has_branches_ || beyond_ring) return solve_on_branches(at, slip);
+  const bool outside = at.gap < -gap_rounding(geometry(), at);
+  if (has_branches_ || (releases_at_fold() && outside)) {
+    if (may_stand_straight_ && !outside && straight_load(at) <= blade::kEulerLoad) return 0.0;
+    const Branches all = branches(at, slip);
+    for (std::size_t i = 0; i < all.count; ++i) {
+      // An undeformed tip that has left the ring has a contact on the bent branch only.
+      if (outside && all.list[i].begin == 0.0) continue;
+      if (const auto root = root_on(at, slip, all.list[i])) return root;
+    }
+    return std::nullopt;
+  }
   // h is positive from the unloaded blade on, and falls through zero once. On the receding side it first
   // rises from g, which may be zero or negative by rounding: step off to where h is positive; where it is
   // nowhere, the contact is too light to load the blade.
-  Branch all{0.0, curve_->end()};
+  Branch whole{0.0, curve_->end(), 0.0};
   if (!(at.gap > 0.0)) {
     constexpr double kLeast = 1e-12;  // of the first piece
     const double first = curve_->knots()[1].bending;
     const auto h = [&](double bending) { return residual(at, slip, curve_at(bending)); };
-    all.begin = first;
-    while (h(all.begin) <= 0.0 && all.begin > kLeast * first) all.begin *= 0.5;
-    if (h(all.begin) <= 0.0) return at.gap >= -gap_rounding(geometry(), at) ? bending_at_ring(at, slip) : 0.0;
-    if (h(2.0 * all.begin) < 0.0) all.end = 2.0 * all.begin;
+    whole.begin = first;
+    while (h(whole.begin) <= 0.0 && whole.begin > kLeast * first) whole.begin *= 0.5;
+    if (h(whole.begin) <= 0.0) return outside ? 0.0 : bending_at_ring(at, slip);
+    if (h(2.0 * whole.begin) < 0.0) whole.end = 2.0 * whole.begin;
   }
-  return root_on(at, slip, all);
+  return root_on(at, slip, whole);
 }
 
 double ElasticaContact::bending_at_ring(const Pose& at, double slip) const {
@@ -66,8 +75,7 @@ auto ElasticaContact::branches(const Pose& at, double slip) const -> Branches {
   double crest = 0.0;
   double at_crest = 0.0;
   const auto close = [&](double end) {
-    found.list[found.count] = {begin, end};
-    found.crest[found.count++] = crest;
+    found.list[found.count++] = {begin, end, crest};
     at_crest = 0.0;
   };
   const auto pass = [&](double bending, double value) {
@@ -130,18 +138,6 @@ std::optional<double> ElasticaContact::root_on(const Pose& at, double slip, cons
   const double at_high = function(high);
   if (!(at_high < 0.0)) return std::nullopt;
   return integrate::root_between(function, low, high, function(low), at_high);
-}
-
-std::optional<double> ElasticaContact::solve_on_branches(const Pose& at, double slip) const {
-  // An undeformed tip that has left the ring has a contact on the bent branch only.
-  const bool outside = at.gap < -gap_rounding(geometry(), at);
-  if (may_stand_straight_ && !outside && straight_load(at) <= blade::kEulerLoad) return 0.0;
-  const Branches all = branches(at, slip);
-  for (std::size_t i = 0; i < all.count; ++i) {
-    if (outside && all.list[i].begin == 0.0) continue;
-    if (const auto root = root_on(at, slip, all.list[i])) return root;
-  }
-  return std::nullopt;
 }
 
 bool ElasticaContact::ends_unloaded(const Pose& at, double slip, double bending) const {

@@ -253,17 +253,17 @@ class ElasticaContact : public ElasticBladeInRing {
   struct Branch {
     double begin;  ///< u of a fold; 0: the unloaded blade
     double end;    ///< u of a fold, or the end of the table
+    double crest;  ///< u before it where h rises most steeply; 0: nowhere
   };
   /// In the order of the load. In 24 000 random poses there were never more than two.
   struct Branches {
     std::array<Branch, 3> list;
-    std::array<double, 3> crest;  ///< u before each branch where h rises most steeply; 0: nowhere
     std::size_t count = 0;
 
     /// Place of the branch of a blade bent by u, or whose end it has just passed.
     [[nodiscard]] std::size_t of(double bending) const {
       std::size_t place = 0;
-      while (place + 1 < count && bending >= crest[place + 1]) ++place;
+      while (place + 1 < count && bending >= list[place + 1].crest) ++place;
       return place;
     }
   };
@@ -273,7 +273,6 @@ class ElasticaContact : public ElasticBladeInRing {
     return friction_ > 0.0 ? slope(at, slip, point) / point.load_slope : slope(at, slip, point);
   }
   [[nodiscard]] std::optional<double> root_on(const Pose& at, double slip, const Branch& branch) const;
-  [[nodiscard]] std::optional<double> solve_on_branches(const Pose& at, double slip) const;
 
   double friction_;    ///< μ [-]
   double yield_unit_;  ///< 0 where the ring does not yield [m]
