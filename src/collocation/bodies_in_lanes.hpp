@@ -92,8 +92,8 @@ struct BodyInLanes {
       return;
     }
     const auto taylor = [&](std::size_t i, Number& place, Number& speed) {
-      const double first = body.acceleration[i];
-      const double jerk = body.jerk[i];
+      const double first = body.at_start.acceleration[i];
+      const double jerk = body.at_start.jerk[i];
       speed = elapsed * (elapsed * (0.5 * jerk) + first) + body.start[2 + i];
       place = elapsed * (elapsed * (elapsed * (jerk * (1.0 / 6)) + 0.5 * first) + body.start[2 + i]);
     };

@@ -137,10 +137,14 @@ struct Places {
   std::array<double, 4> start{};  ///< place [m] and velocity [m per unit τ]
   AtNodes x, y, vx, vy;           ///< a first guess, then the solution
 };
+/// Second and third derivatives of a place by τ.
+struct Derivatives {
+  std::array<double, 2> acceleration{};  ///< [m per unit τ²]
+  std::array<double, 2> jerk{};          ///< [m per unit τ³]
+};
 struct Body : Places {
-  std::array<double, 2> acceleration{};  ///< at the start, for the first guess [m per unit τ²]
-  std::array<double, 2> jerk{};          ///< likewise [m per unit τ³]
-  AtNodes ax, ay;                        ///< [m per unit τ²]
+  Derivatives at_start;  ///< for the first guess
+  AtNodes ax, ay;        ///< [m per unit τ²]
 };
 
 /// The leading blade and what depends on time where an interval starts.

@@ -175,10 +175,8 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
 }
 
 void Predictor::guess(Interval& next) {
-  next.shaft.acceleration = shaft_.acceleration;
-  next.shaft.jerk = shaft_.jerk;
-  next.ring.acceleration = ring_.acceleration;
-  next.ring.jerk = ring_.jerk;
+  next.shaft.at_start = shaft_;
+  next.ring.at_start = ring_;
   const double length =
       std::min({length_, kLongest, kMostTurning / std::max(std::abs(curvature_), kStraight)});
   length_of_trial_ = length;
@@ -229,12 +227,6 @@ bool Predictor::shortens(double error) {
   return length_ > shortest_;
 }
 
-void Predictor::Derivatives::take(const Body& body, double time_between) {
-  acceleration = {body.ax.at_end(), body.ay.at_end()};
-  jerk = {(body.ax.at_end() - body.ax[kNodes - 2]) / time_between,
-          (body.ay.at_end() - body.ay[kNodes - 2]) / time_between};
-}
-
 void Predictor::goes_on(const Interval& interval) {
   struct Place {
     Tangent tangent;
@@ -267,8 +259,14 @@ void Predictor::goes_on(const Interval& interval) {
   const double curvature_before = turning(last[0].tangent, last[1].tangent) / before;
   const double curvature_after = turning(last[1].tangent, last[2].tangent) / after;
   const double time_between = interval.elapsed[kNodes - 1] - interval.elapsed[kNodes - 2];
-  shaft_.take(interval.shaft, time_between);
-  ring_.take(interval.ring, time_between);
+  const auto at_end = [time_between](const Body& body) {
+    const double x = body.ax.at_end();
+    const double y = body.ay.at_end();
+    return Derivatives{{x, y},
+                       {(x - body.ax[kNodes - 2]) / time_between, (y - body.ay[kNodes - 2]) / time_between}};
+  };
+  shaft_ = at_end(interval.shaft);
+  ring_ = at_end(interval.ring);
   curvature_ = curvature_after + (curvature_after - curvature_before) * after / (before + after);
   tangent_ = last[2].tangent;
   if (leans_) lean_ = course_at_end(interval, interval.leader().lean);

@@ -96,12 +96,8 @@ class Predictor {
   double length_ = 1.0;           ///< of the next arc in that plane
   double length_of_trial_ = 1.0;  ///< of the present one
   double shortest_ = 0.0;
-  struct Derivatives {
-    std::array<double, 2> acceleration{};
-    std::array<double, 2> jerk{};
-    void take(const Body& body, double time_between);
-  } shaft_, ring_;  ///< second and third ones there
-  Course lean_;     ///< since the start of the next interval
+  Derivatives shaft_, ring_;  ///< there
+  Course lean_;               ///< since the start of the next interval
 };
 
 }  // namespace rubatlas::collocation
