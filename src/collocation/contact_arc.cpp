@@ -66,7 +66,8 @@ bool ContactArc::solve(Interval& interval, bool warm, double closest) {
   const auto& [x, y, vx, vy] = interval.shaft.start;
   const double rounding = std::numeric_limits<double>::epsilon() *
                           std::max(machine().ring_radius, 4.0 * std::sqrt(vx * vx + vy * vy));
-  const double velocity = std::max(std::min(kClosest * tolerance_, closest), rounding);
+  const double left = (ring_keeps_load_ ? kClosestOnDampers : kClosest) * tolerance_;
+  const double velocity = std::max(std::min(left, closest), rounding);
   // The load of a tip at rest follows its place so steeply that the next interval would begin with a jump.
   constexpr double kStepAtRest = 1e-5;
   constexpr double kStepToGuard = 1e-6;

@@ -162,7 +162,9 @@ class ContactArc {
   /// that may be all but rounding.
   static constexpr double kImpact = 1e-14;
   static constexpr double kAllButImpact = 1e-11;
-  static constexpr double kClosest = 0.2;  ///< of the tolerance: what sweeps may leave
+  /// Of the tolerance: what sweeps may leave, and where a ring with dampers keeps it.
+  static constexpr double kClosest = 0.2;
+  static constexpr double kClosestOnDampers = 0.1;
   /// p: the force of a blade that is bent less is some 1e-9 of EI/L².
   static constexpr double kNextToUnbent = 1e-4;
 
@@ -215,11 +217,11 @@ class ContactArc {
   [[nodiscard]] bool stays_valid(const Ending& ending) const;
   [[nodiscard]] Ending guard_of_contacts(const Interval& interval) const;
   /// A quantity within an interval.
-  struct Course {
+  struct Quantity {
     double start;
     AtNodes nodes;
   };
-  [[nodiscard]] Course validity_left(const Interval& interval, Guard guard, int blade) const;
+  [[nodiscard]] Quantity validity_left(const Interval& interval, Guard guard, int blade) const;
   [[nodiscard]] const TipInTime& tip_of(const Interval& interval, int blade) const {
     return interval.tips[number_of(blade)];
   }

@@ -72,7 +72,7 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
   for (std::size_t k = 0; k < tips_.size(); ++k)
     look_at_slip(interval.tips[k], bounds_.tips[k].slip_velocity);
   const auto look_at_validity = [&](Guard guard, int blade) {
-    const Course left = validity_left(interval, guard, blade);
+    const Quantity left = validity_left(interval, guard, blade);
     look(guard, blade, left.start, left.nodes, 1.0);
   };
   for (std::size_t k = 0; k < tips_.size(); ++k) {
@@ -92,7 +92,7 @@ bool ContactArc::starts_inside(int blade) const {
 }
 
 /// What is left of validity: of δ/L up to its limit, of |c|² up to the ring.
-ContactArc::Course ContactArc::validity_left(const Interval& interval, Guard guard, int blade) const {
+ContactArc::Quantity ContactArc::validity_left(const Interval& interval, Guard guard, int blade) const {
   if (guard == Guard::shaft_at_ring) {
     const double radius = machine().ring_radius;
     const auto left = [&](double x, double y) {
@@ -101,14 +101,14 @@ ContactArc::Course ContactArc::validity_left(const Interval& interval, Guard gua
     };
     const Body& shaft = interval.shaft;
     const Body& ring = interval.ring;
-    Course result{left(shaft.start[0] - ring.start[0], shaft.start[1] - ring.start[1]), {}};
+    Quantity result{left(shaft.start[0] - ring.start[0], shaft.start[1] - ring.start[1]), {}};
     for (std::size_t i = 0; i < kNodes; ++i)
       result.nodes[i] = left(shaft.x[i] - ring.x[i], shaft.y[i] - ring.y[i]);
     return result;
   }
   const TipInTime& tip = tip_of(interval, blade);
   const double limit = law_->valid_shortening(blade);
-  Course result{limit - tip.start_shortening, {}};
+  Quantity result{limit - tip.start_shortening, {}};
   for (std::size_t i = 0; i < kNodes; ++i) result.nodes[i] = limit - tip.shortening[i];
   return result;
 }
