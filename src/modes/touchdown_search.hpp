@@ -46,8 +46,8 @@ class TouchdownSearch {
   /// A tip at a time of the flight.
   [[nodiscard]] trajectory::Tip tip(int blade, double time) const;
 
-  /// The tip that passes the ring nearest up to `end` nearest, nearer than `known` [m], or none;
-  /// as far as the meter pays. Once this has been asked for, the search keeps the gaps that it finds.
+  /// The tip that passes the ring nearest in the flight up to `end` [τ], nearer than `known` [m], or none; as
+  /// far as the meter pays. Once this has been asked for, the search keeps the gaps that it finds.
   [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(double end, double known);
 
   /// Bound of |g''''| of the blade that reaches farthest [m² per unit τ⁴].
@@ -66,8 +66,8 @@ class TouchdownSearch {
   };
   static TurningBounds turning_bounds(const rotor::BladeSet& blades);
 
-  /// Rows of half the spacing of the ones before: the shaft on a stiff support or a ring on a stiff spring
-  /// moves too fast for the first. The last spacing, of the first.
+  /// Where a shaft on a stiff support, or a ring on a stiff spring, moves too fast for the first spacing,
+  /// rows have half of it, a quarter, and so on, down to this share.
   static constexpr double kClosest = 1.0 / 2048.0;
 
   /// Bounds of a flight, the time up to which they hold, and the rows that they allow.
@@ -104,10 +104,10 @@ class TouchdownSearch {
     return flight_->price_of_state() + static_cast<std::int64_t>(blades_.size()) * WorkPrice::kGap;
   }
   [[nodiscard]] static bool may_have_top(const FlightRow::Gaps& gaps, double spacing);
-  /// The pass of a tip that is sought.
+  /// The nearest pass so far.
   struct Nearest {
-    double end;       ///< τ before which it is to come
-    double distance;  ///< [m]: nearer than this
+    double end;       ///< τ up to which passes count
+    double distance;  ///< that of the pass, or what it is to be nearer than [m]
     std::optional<trajectory::Pass> pass;
   };
   void take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps, Nearest& nearest) const;
