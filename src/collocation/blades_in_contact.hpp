@@ -1,5 +1,5 @@
-/// Blades in contact: where they stand between two intervals, and the first guess of what those do in the
-/// next that do not lead.
+/// Blades in contact: where they stand between two intervals, and the first guess of what the further ones,
+/// which do not lead, do in the next.
 #pragma once
 
 #include <array>
