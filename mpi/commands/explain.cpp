@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "assembly/make_line_solver.hpp"
 #include "atlas/free_space.hpp"
 #include "atlas/schema.hpp"
 #include "mpi/commands/estimate.hpp"
@@ -149,22 +148,13 @@ std::string flight_text(const settings::Scene& scene, const settings::Combinatio
                      combination.family->flight.empty() ? "" : ", ", combination.family->flight);
 }
 
-/// The method that computes: where contacts have no arcs `collocation` computes as `hybrid` does.
-const settings::MethodOfIntegration& method_used(settings::Scene scene) {
-  using settings::Method;
-  if (scene.accuracy.method == Method::collocation && !assembly::collocates(scene))
-    scene.accuracy.method = Method::hybrid;
-  return settings::method_of(scene);
-}
-
 std::string contact_text(const settings::Scene& scene, const settings::Combination& combination) {
-  const auto& method = method_used(scene);
+  const auto& method = settings::method_of(scene);
   const settings::ContactText& contact = combination.family->contact;
   if (method.method == settings::Method::collocation)
     return fmt::format("{}; {}", method.pair, contact.on_arcs);
   if (method.flies_in_closed_form) {
-    return fmt::format("{}; {}{}", method.pair, contact.in_steps,
-                       method.method == scene.accuracy.method ? "" : "; collocation does not apply here");
+    return fmt::format("{}; {}", method.pair, contact.in_steps);
   }
   if (scene.contact.law == settings::ContactLaw::elastic_ring) {
     return fmt::format("in the same steps; {}", contact.in_steps);
@@ -178,7 +168,7 @@ std::string contact_text(const settings::Scene& scene, const settings::Combinati
 void describe_kernel(const settings::Scene& scene, Text& text) {
   const bool bending = scene.contact.law != settings::ContactLaw::elastic_ring;
   const double scale = scene.clearance() > 0.0 ? scene.clearance() : 0.1 * scene.blades.length;
-  const auto& method = method_used(scene);
+  const auto& method = settings::method_of(scene);
   text.heading("Kernel");
   text.line("method", std::get<std::string>(*settings::quantity("/accuracy/method").read(scene)));
   for (const Motion& motion : motions_of(scene)) {

@@ -17,17 +17,10 @@ namespace rubatlas::assembly {
 
 namespace {
 
-/// Whether contacts have arcs; where they have none the method is `hybrid`.
-bool collocates(const LineRequest& request) {
-  constexpr double kAnySpeed = 1.0;
-  const rotor::Machine machine = machine_of(request.line, request.combination.machine, kAnySpeed);
-  return law_of(request)->arcs(machine, request.line.validity.max_shortening) != nullptr;
-}
-
 std::unique_ptr<point::LineSolver> make(const LineRequest& request) {
   switch (request.line.accuracy.method) {
     case settings::Method::collocation:
-      return hybrid_solver(request, collocates(request) ? modes::phases_on_arcs : phases_in_steps);
+      return hybrid_solver(request, modes::phases_on_arcs);
     case settings::Method::hybrid:
       return hybrid_solver(request, phases_in_steps);
     case settings::Method::hybrid_54:
@@ -63,11 +56,6 @@ std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request, mod
 
 std::shared_ptr<BladeTables> make_blade_tables() {
   return std::make_shared<BladeTables>();
-}
-
-bool collocates(const settings::Scene& line) {
-  const std::shared_ptr<BladeTables> tables = make_blade_tables();
-  return collocates(LineRequest{line, *tables, settings::combination_of(line)});
 }
 
 std::unique_ptr<point::LineSolver> make_line_solver(const settings::Scene& scene,

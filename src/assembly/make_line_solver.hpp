@@ -24,8 +24,4 @@ std::unique_ptr<point::LineSolver> make_line_solver(const settings::Scene& scene
 /// own values of those of its quantities that are axes of the grid.
 motion::SectionState initial_state(const settings::Scene& scene, const plan::PointParameters& point);
 
-/// Whether the method `collocation` applies to a scene of one line: not to columns on dampers, nor to blades
-/// whose bends no table holds, which are computed as by `hybrid`.
-bool collocates(const settings::Scene& line);
-
 }  // namespace rubatlas::assembly

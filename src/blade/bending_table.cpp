@@ -12,8 +12,7 @@ namespace {
 
 /// Of L: the largest limit of validity that a scene may set.
 constexpr double kLargestLimit = 0.6;
-/// Of a piece at its end, in units of its numbers. One that errs more is near the curve's next singularity,
-/// and the table ends before it.
+/// Of a piece at its end, in units of its numbers.
 constexpr double kLargestError = 2e-13;
 
 using Row = Eigen::RowVector3d;
@@ -45,7 +44,7 @@ constexpr int kCount = static_cast<int>(BendingTable::kDegree) + 1;
 /// Of the piece that starts at p.
 Rows<kCount> later_piece(const BendingTable& table, const ElasticaCurve& curve, double start) {
   return fit<kCount>(
-      [&](double part) { return row_of(curve.at(table.bending(start + BendingTable::kWidth * part))); });
+      [&](double part) { return row_of(curve.at(table.bending(start + table.width() * part))); });
 }
 
 /// From p = 0 all three are even functions of p. What they grow by from there keeps its digits however little
@@ -54,7 +53,7 @@ Rows<kCount> first_piece(const BendingTable& table, const ElasticaCurve& curve) 
   constexpr int kPowers = 5;  // of t²: the nearest singularities are at p = ±iπ/2
   const Row unbent = row_of(curve.at(0.0));
   const Rows<kPowers> fitted = fit<kPowers>([&](double square) -> Row {
-    return (row_of(curve.at(table.bending(BendingTable::kWidth * std::sqrt(square)))) - unbent) / square;
+    return (row_of(curve.at(table.bending(table.width() * std::sqrt(square)))) - unbent) / square;
   });
   Rows<kCount> result = Rows<kCount>::Zero();
   result.row(0) = unbent;
@@ -65,16 +64,22 @@ Rows<kCount> first_piece(const BendingTable& table, const ElasticaCurve& curve) 
 }  // namespace
 
 BendingTable::BendingTable(const ElasticaCurve& curve) : scale_(curve.load_angle()) {
+  while (!fill(curve)) width_ *= 0.5;
+}
+
+bool BendingTable::fill(const ElasticaCurve& curve) {
+  pieces_.clear();
+  knots_.clear();
   while (knots_.empty() || knots_.back().shortening <= kLargestLimit) {
-    const double start = static_cast<double>(pieces_.size()) * kWidth;
-    const double end = start + kWidth;
-    if (bending(end) > curve.end()) break;
+    const double start = static_cast<double>(pieces_.size()) * width_;
+    const double end = start + width_;
+    if (bending(end) > curve.end()) return false;
     const CurvePoint at_end = curve.at(bending(end));
     const Rows<kCount> fitted =
         pieces_.empty() ? first_piece(*this, curve) : later_piece(*this, curve, start);
     const Eigen::Array3d exact = row_of(at_end);
     if (((fitted.colwise().sum().transpose().array() - exact).abs() > kLargestError * (1.0 + exact)).any())
-      break;
+      return false;
     Piece& made = pieces_.emplace_back();
     for (std::size_t k = 0; k <= kDegree; ++k) {
       const Row of_power = fitted.row(static_cast<Eigen::Index>(k));
@@ -82,6 +87,7 @@ BendingTable::BendingTable(const ElasticaCurve& curve) : scale_(curve.load_angle
     }
     knots_.push_back({end, at_end.load, at_end.shortening, at_end.deflection});
   }
+  return true;
 }
 
 }  // namespace rubatlas::blade

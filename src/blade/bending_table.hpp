@@ -2,7 +2,8 @@
 ///
 /// In u the curve has branch points at ±iβ, next to the unloaded blade where friction is small. In p they are
 /// gone, so that pieces of one width and degree 11 follow it everywhere to 2e-13, and the piece of a number
-/// is found by one multiplication.
+/// is found by one multiplication. Where friction is large the end of the curve, ψL = π, is near in p, and
+/// pieces are narrower.
 ///
 /// Without friction, β = 0, p = sqrt(u): a column's deflection, which grows as u, then grows as p², as that
 /// of any other blade does.
@@ -19,16 +20,16 @@ class ElasticaCurve;
 
 class BendingTable {
  public:
-  /// Up to a shortening of about 0.6 L, or as far as the pieces are so exact: to 0.35 L at least.
+  /// Up to a shortening of 0.6 L at least.
   explicit BendingTable(const blade::ElasticaCurve& curve);
 
   static constexpr std::size_t kDegree = 11;
-  static constexpr double kWidth = 0.125;  ///< of a piece in p
   /// Of powers of t in [0, 1]: F L²/EI, δ/L, Δ/L, 0.
   struct Piece {
     alignas(32) std::array<std::array<double, 4>, kDegree + 1> coefficients;
   };
   [[nodiscard]] const Piece* pieces() const { return pieces_.data(); }
+  [[nodiscard]] double width() const { return width_; }  ///< of a piece in p, a power of two
   [[nodiscard]] int last_piece() const { return static_cast<int>(pieces_.size()) - 1; }
 
   [[nodiscard]] double scale() const { return scale_; }  ///< β
@@ -53,13 +54,13 @@ class BendingTable {
     double deflection;
   };
   [[nodiscard]] const std::vector<Knot>& knots() const { return knots_; }
-  /// It covers all bends up to a shortening δ/L.
-  [[nodiscard]] bool covers(double shortening) const {
-    return !knots_.empty() && knots_.back().shortening > shortening;
-  }
 
  private:
-  double scale_;  ///< β
+  /// With pieces of the present width. False where they are not so exact.
+  bool fill(const ElasticaCurve& curve);
+
+  double scale_;          ///< β
+  double width_ = 0.125;  ///< in p
   std::vector<Piece> pieces_;
   std::vector<Knot> knots_;
 };

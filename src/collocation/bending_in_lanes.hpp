@@ -25,13 +25,14 @@ class BendingInLanes {
   struct Places {
     std::array<const double*, kNodes> coefficients;
     std::array<double, kNodes> t;
+    double per_argument;  ///< pieces by p
   };
   static Places places(const blade::BendingTable& table, const Number& argument) {
-    constexpr double kPerPiece = 1.0 / blade::BendingTable::kWidth;
-    const Number place = argument * kPerPiece;
+    Places result;
+    result.per_argument = 1.0 / table.width();
+    const Number place = argument * result.per_argument;
     const Number piece =
         whole(smaller(larger(place, Number(0.0)), Number(static_cast<double>(table.last_piece()))));
-    Places result;
     // Not set to zero first. NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
     alignas(64) double pieces[kNodes];
     // NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
@@ -69,10 +70,10 @@ class BendingInLanes {
         }
       }
     }
-    constexpr double kSlopeUnit = 1.0 / blade::BendingTable::kWidth;
     if (kSlopes) {
       slope = across(rate);
-      slope = {slope.load * kSlopeUnit, slope.shortening * kSlopeUnit, slope.deflection * kSlopeUnit};
+      const double unit = at.per_argument;
+      slope = {slope.load * unit, slope.shortening * unit, slope.deflection * unit};
     }
     return across(sum);
   }

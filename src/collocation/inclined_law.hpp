@@ -302,10 +302,9 @@ class InclinedLaw final : public ArcLaw {
   [[nodiscard]] const InclinedLoad& load_of(int blade) const {
     return loads_[static_cast<std::size_t>(blade)];
   }
-  /// Null where it ends before a blade may be shortened so far.
   [[nodiscard]] const blade::BendingTable* table_of(int blade) const {
     const blade::ElasticaCurve* const curve = law_->of(blade).curve();
-    return curve != nullptr && curve->over_asinh().covers(max_shortening_) ? &curve->over_asinh() : nullptr;
+    return curve != nullptr ? &curve->over_asinh() : nullptr;
   }
   /// As a blade of the paper's law.
   [[nodiscard]] bool solve_by_table(const Machine& machine, const Closeness& closeness,

@@ -67,9 +67,12 @@ void Predictor::begin(const Start& start) {
   const contact::Geometry geometry{start.blade.blade->reach, start.ring_radius};
   lean_ = {start.bending.lean};
   const double rate = contact::gap_rate(geometry, start.pose, speed) - start.blade.ring_opens;
-  const double curvature = contact::gap_curvature(
-      geometry, start.direction, start.pose, {state[0], state[1] + rotor_->misalignment},
-      {state[2], state[3]}, start.acceleration.shaft - start.acceleration.ring, speed);
+  double curvature = contact::gap_curvature(geometry, start.direction, start.pose,
+                                            {state[0], state[1] + rotor_->misalignment}, {state[2], state[3]},
+                                            start.acceleration.shaft - start.acceleration.ring, speed);
+  // Under a load that stays a ring with dampers opens ever more slowly, at this rate.
+  if (const Blade& blade = *start.blade.blade; blade.ring_damping > 0.0)
+    curvature += start.blade.ring_opens * blade.ring_stiffness / blade.ring_damping;
   // Half of the contact, as far as the gap is a parabola: from its top to where it is closed.
   const double rate_at_end = std::sqrt(std::max(0.0, rate * rate - 2.0 * curvature * start.pose.gap));
   const double half =

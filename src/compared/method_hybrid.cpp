@@ -1,5 +1,5 @@
 // `hybrid`: contacts in steps of order 8(5,3), of which all forces are solved for and all guards located: the
-// oracle of collocation, and the method of scenes whose contacts have no arcs.
+// oracle of collocation.
 
 #include "assembly/methods.hpp"
 #include "compared/phases_in_steps.hpp"

@@ -66,15 +66,16 @@ class ElasticBladeOnDampedRing {
   [[nodiscard]] double ring_load(double yielding, double rate) const {
     return ring_.stiffness * yielding + ring_.damping * rate;
   }
-  /// Load above which a straight blade bends [N]; 0 on the approaching side.
+  /// Load above which a straight blade bends [N]; on the approaching side 0, or Euler's without friction.
   [[nodiscard]] double bending_load(const Pose& at, double slip, double angular_speed) const {
     Pose touching = at;
     touching.gap = 0.0;
+    if (blade_.starts_unloaded(touching, slip))
+      return curve().friction() > 0.0 ? 0.0 : blade::kEulerLoad * blade_.load_unit();
     const ElasticaContact blade = blade_.in_ring(magnitude(unbent_tip(geometry(), at)));
     double bending = 0.0;
     TipForce force{};
-    const bool bends = !blade.starts_unloaded(touching, slip) &&
-                       blade.respond(touching, slip, angular_speed, bending, force);
+    const bool bends = blade.respond(touching, slip, angular_speed, bending, force);
     evaluations_ += blade.evaluations();
     return bends ? force.normal : 0.0;
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <stdexcept>
 
 #include "modes/law.hpp"
 #include "modes/phase.hpp"
@@ -11,9 +10,9 @@
 namespace rubatlas::modes {
 
 std::unique_ptr<ContactPhases> phases_on_arcs(const ContactSetup& setup) {
-  auto arcs = setup.law->arcs(*setup.machine, setup.limits.max_shortening);
-  if (arcs == nullptr) throw std::logic_error("contacts that have no arcs are asked to follow them");
-  return std::make_unique<Collocated>(*setup.machine, std::move(arcs), setup.limits, *setup.meter);
+  return std::make_unique<Collocated>(*setup.machine,
+                                      setup.law->arcs(*setup.machine, setup.limits.max_shortening),
+                                      setup.limits, *setup.meter);
 }
 
 ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& state,

@@ -77,7 +77,7 @@ class Law {
   [[nodiscard]] virtual bool searches_long() const { return false; }
   /// How often curves of blades have been evaluated.
   [[nodiscard]] virtual std::uint64_t evaluations() const { return 0; }
-  /// The law of the arcs of these contacts; null where they have none.
+  /// The law of the arcs of these contacts.
   [[nodiscard]] virtual std::unique_ptr<collocation::ArcLaw> arcs(const rotor::Machine& machine,
                                                                   double max_shortening) const = 0;
 

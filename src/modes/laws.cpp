@@ -41,12 +41,7 @@ std::unique_ptr<RestJudge> LawOfRigidBlades::rest_judge(const ContactSetup& setu
 // Elastic blades on a ring with dampers.
 
 std::unique_ptr<ArcLaw> LawOfDampedRing::arcs(const rotor::Machine& machine, double max_shortening) const {
-  const int count = machine.blades.count();
-  for (int k = 0; k < count; ++k) {
-    const blade::ElasticaCurve& curve = of(k).curve();
-    if (!(curve.friction() > 0.0) || !curve.over_asinh().covers(max_shortening)) return nullptr;
-  }
-  return std::make_unique<collocation::DampedLaw>(blades(), count, max_shortening);
+  return std::make_unique<collocation::DampedLaw>(blades(), machine.blades.count(), max_shortening);
 }
 
 bool LawOfDampedRing::open(const TipPlace& at, OpenContact& contact) const {
@@ -101,7 +96,6 @@ Standing LawOfInclinedLoads::snap(const TipPlace& at, OpenContact& contact) cons
 std::unique_ptr<ArcLaw> LawOfAxialLoads::arcs(const rotor::Machine& machine, double max_shortening) const {
   collocation::AxialLaw::Blades arcs_of;
   for (int k = 0; k < machine.blades.count(); ++k) {
-    if (!of(k).curve().over_asinh().covers(max_shortening)) return nullptr;
     arcs_of.push_back(&of(k));
   }
   return std::make_unique<collocation::AxialLaw>(std::move(arcs_of), max_shortening);

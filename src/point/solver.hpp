@@ -1,7 +1,7 @@
 /// The interface to the physics: computes one line of the atlas, point by point.
 ///
-/// A scene's choices (contact law, effects, observables) become types once, in `make_line_solver`; from there
-/// to the end of a point nothing is looked up by name. One virtual call per point.
+/// A scene's choices (contact law, effects, observables) become objects once, in `make_line_solver`; from
+/// there to the end of a point nothing is looked up by name.
 #pragma once
 
 #include "ending/status.hpp"

@@ -46,6 +46,18 @@ motion::WorkCounts expect_to_move_as_in_steps(const settings::Scene& scene, asse
   return arcs.work;
 }
 
+/// Random numbers, the same on every machine.
+class Uniform {
+ public:
+  explicit Uniform(std::uint64_t seed) : bits_(seed) {}
+  double operator()(double low, double high) {
+    return low + (high - low) * static_cast<double>(bits_() >> 11U) * 0x1p-53;
+  }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
 settings::Scene of_revolutions(nlohmann::json document, int revolutions) {
   document["protocol"] = {{"transient_revolutions", 0}, {"sampled_revolutions", revolutions}};
   return settings::parse_scene(document.dump());
@@ -168,13 +180,52 @@ TEST(HardContacts, OfSeveralBladesThatHardlyBendMoveAsInSteps) {
   }
 }
 
+TEST(HardContacts, OfColumnsOnDampersMoveAsInSteps) {
+  // Straight up to their Euler load, and bent beyond.
+  Uniform uniform(3);
+  assembly::BladeTables tables;
+  std::uint64_t touchdowns = 0;
+  constexpr int kStarts = 200;
+  constexpr double kApart = 1e-9;
+  for (int i = 0; i < kStarts; ++i) {
+    SCOPED_TRACE(i);
+    const nlohmann::json document = {{"rotor", {{"damping_ratio", uniform(0.02, 0.3)}}},
+                                     {"blades", {{"count", 1 + static_cast<int>(uniform(0.0, 5.0))}}},
+                                     {"contact", {{"friction", 0.0}}},
+                                     {"yielding_ring", {{"compliance", std::pow(10.0, uniform(-5.0, -4.0))}}},
+                                     {"contact_damping", {{"damping", std::pow(10.0, uniform(0.0, 2.0))}}},
+                                     {"initial", {{"x", uniform(-5e-3, 5e-3)}, {"vy", uniform(-0.1, 0.1)}}},
+                                     {"grid", {{"speed_ratio", uniform(0.05, 0.95)}}}};
+    touchdowns += expect_to_move_as_in_steps(of_revolutions(document, 2), tables, kApart).touchdowns;
+  }
+  EXPECT_GT(touchdowns, 2U * kStarts);
+}
+
+TEST(HardContacts, OfBladesWithMuchFrictionThatBendFarMoveAsInSteps) {
+  // Up to a shortening of 0.6 L, towards the end of the elastica where friction is large.
+  Uniform uniform(4);
+  assembly::BladeTables tables;
+  std::uint64_t touchdowns = 0;
+  constexpr int kStarts = 100;
+  constexpr double kApart = 1e-9;
+  for (int i = 0; i < kStarts; ++i) {
+    SCOPED_TRACE(i);
+    const nlohmann::json document = {
+        {"rotor", {{"damping_ratio", uniform(0.02, 0.3)}}},
+        {"blades", {{"count", 1 + static_cast<int>(uniform(0.0, 5.0))}, {"thickness", 5e-4}}},
+        {"contact", {{"friction", uniform(0.8, 2.0)}}},
+        {"validity", {{"max_shortening", 0.6}}},
+        {"initial", {{"x", uniform(-5e-3, 5e-3)}, {"vy", uniform(-0.15, 0.15)}}},
+        {"grid", {{"speed_ratio", uniform(0.05, 0.95)}}}};
+    touchdowns += expect_to_move_as_in_steps(of_revolutions(document, 1), tables, kApart).touchdowns;
+  }
+  EXPECT_GT(touchdowns, 1U * kStarts);
+}
+
 TEST(HardContacts, OfElasticBladesAtRestMoveAsInSteps) {
   // Slow rotors kicked against their spin. Their tips come loose at the edge of the cone, where their place
   // is lost, and as a strut between hub and ring.
-  std::mt19937_64 bits(2);
-  const auto uniform = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(bits() >> 11U) * 0x1p-53;
-  };
+  Uniform uniform(2);
   assembly::BladeTables tables;
   std::uint64_t reversals = 0;
   constexpr int kStarts = 300;

@@ -193,6 +193,23 @@ TEST(ContactDamping, OfElasticBladesGoesOverToTheSpringAloneAsTheDamperWeakens) 
   }
 }
 
+TEST(ContactDamping, OfColumnsIsTheLimitOfVanishingFrictionInProportion) {
+  // Straight, a column pushes the ring like a rigid blade up to its Euler load, where it bends.
+  const auto with_friction = [](double friction, double speed) {
+    json scene = damped_scene_with(
+        {{"yielding_ring", {{"compliance", 1e-5}}}, {"contact_damping", {{"damping", 10.0}}}}, speed);
+    scene["contact"]["friction"] = friction;
+    return damped_end_of(scene);
+  };
+  for (const double speed : {0.36, 0.62}) {
+    const auto limit = with_friction(0.0, speed);
+    const double before = largest_difference(with_friction(1e-3, speed), limit);
+    const double after = largest_difference(with_friction(1e-4, speed), limit);
+    EXPECT_GT(after, 0.0);
+    EXPECT_NEAR(before / after, 10.0, 0.5) << speed;
+  }
+}
+
 TEST(ContactDamping, IsRefusedWhereNothingYieldsUnderATip) {
   const auto refusal_with = [](const json& more) {
     return settings::refusal(damped_scene_with(more, 0.5).dump());
