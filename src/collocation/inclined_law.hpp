@@ -102,7 +102,7 @@ class InclinedLaw final : public ArcLaw {
   }
   [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override {
     const auto& law = law_->of(touch.blade);
-    const auto there = constraint(touch, at, speed);
+    const auto there = law.constraint(at, touch.slip, speed, touch.bend);
     // g/|D|, as h = 0 has it.
     const double deflection = std::abs(there.blade.deflection.value);
     const double share = deflection > kUnbent ? there.blade.shortening.value / deflection : 0.0;
@@ -118,27 +118,17 @@ class InclinedLaw final : public ArcLaw {
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override {
     const auto& law = law_->of(touch.blade);
-    const auto there = equations(law, at, speed, touch.slip, touch.bend);
-    const contact::BladeVector<double> along{acceleration.real(), acceleration.imag()};
-    auto drift = law.drift(at, speed, along, there);
-    if (touch.slip == 0.0)
-      drift.misdirection = contact::cross(there.tip, contact::tip_acceleration(at, speed, along));
-    double modulus =
-        drift.misdirection * there.residual_by_amplitude - drift.residual * there.misdirection_by_amplitude;
-    double amplitude =
-        drift.residual * there.misdirection_by_modulus - drift.misdirection * there.residual_by_modulus;
-    double time = there.determinant();
-    if (touch.slip == 0.0 && time < 0.0) {
-      time = -time;
-      modulus = -modulus;
-      amplitude = -amplitude;
-    }
+    const auto there = law.constraint(at, touch.slip, speed, touch.bend);
+    const auto [modulus, amplitude] =
+        there.against(law.drift(at, touch.slip, speed, {acceleration.real(), acceleration.imag()}, there));
+    const double time = there.determinant();
+    const double onwards = touch.slip == 0.0 ? std::copysign(1.0, time) : 1.0;
     const double sine = std::sin(touch.bend.amplitude);
     const double cosine = std::cos(touch.bend.amplitude);
     const double bending = side(touch) * (modulus * sine + touch.bend.modulus * cosine * amplitude);
     const double lean = side(touch) * (modulus * cosine - touch.bend.modulus * sine * amplitude);
     const double slope = load_of(touch.blade).bending_slope(argument_of(touch));
-    return {time, bending / slope, lean};
+    return {onwards * time, onwards * bending / slope, onwards * lean};
   }
   [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override {
     if (load_of(leader_).table != nullptr) return load_of(leader_).table->knots();
@@ -176,12 +166,14 @@ class InclinedLaw final : public ArcLaw {
   }
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override {
-    return law_->of(touch.blade).force_of(at, speed, constraint(touch, at, speed));
+    const auto& law = law_->of(touch.blade);
+    return law.force_of(at, speed, law.constraint(at, touch.slip, speed, touch.bend));
   }
   [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& at,
                                             const contact::TipForce& force) const override {
-    if (touch.slip == 0.0) return constraint(touch, at, 0.0).coefficient;
-    return law_->of(touch.blade).friction().coefficient(force.slip_velocity, touch.slip);
+    const auto& law = law_->of(touch.blade);
+    if (touch.slip == 0.0) return law.constraint(at, touch.slip, 0.0, touch.bend).coefficient;
+    return law.friction().coefficient(force.slip_velocity, touch.slip);
   }
   [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
     const InclinedLoad& load = load_of(leader_);
@@ -254,23 +246,6 @@ class InclinedLaw final : public ArcLaw {
     touch = found;
     return true;
   }
-  /// h = 0 and d = 0; v = 0 takes the place of d = 0 for a tip at rest.
-  static contact::DirectedElastica::Constraint equations(const contact::DirectedElastica& law,
-                                                         const contact::Pose& at, double speed, double slip,
-                                                         const blade::Bend& bend) {
-    auto there = law.constraint(at, slip, speed, bend);
-    if (slip != 0.0) return there;
-    const contact::BladeVector<double> rate = contact::tip_rate(at, speed);
-    const auto by = [&](double shortening, double deflection) {
-      return law.length() * (deflection * rate.along - shortening * rate.across);
-    };
-    const auto& [load, curvature, angle, shortening, deflection] = there.blade;
-    const double radius = law.geometry().ring_radius;
-    there.misdirection = contact::cross(there.tip, rate) + speed * radius * radius;
-    there.misdirection_by_modulus = by(shortening.by_modulus, deflection.by_modulus);
-    there.misdirection_by_amplitude = by(shortening.by_amplitude, deflection.by_amplitude);
-    return there;
-  }
   /// Moves a contact onto its equilibrium if that is as near to its bend as said.
   static bool goes_on(const contact::DirectedElastica& law, const contact::Pose& at, double speed,
                       Touch& touch, double near) {
@@ -279,8 +254,7 @@ class InclinedLaw final : public ArcLaw {
     if (touch.bend.modulus == 0.0 || !(touch.bend.amplitude > 0.0)) return false;
     blade::Bend bend = touch.bend;
     for (int i = 0; i < kSteps; ++i) {
-      const blade::Bend change =
-          contact::DirectedElastica::correction(equations(law, at, speed, touch.slip, bend));
+      const blade::Bend change = law.constraint(at, touch.slip, speed, bend).correction();
       const double size =
           std::max(std::abs(change.modulus / bend.modulus), std::abs(change.amplitude / bend.amplitude));
       if (!(size < near)) return false;
@@ -289,14 +263,6 @@ class InclinedLaw final : public ArcLaw {
     }
     touch.bend = bend;
     return true;
-  }
-
-  /// With the c that holds a tip at rest, of which d is the angle where there is no friction.
-  [[nodiscard]] contact::DirectedElastica::Constraint constraint(const Touch& touch, const contact::Pose& at,
-                                                                 double speed) const {
-    auto there = law_->of(touch.blade).constraint(at, touch.slip, speed, touch.bend);
-    if (touch.slip == 0.0) there.coefficient = std::tan(there.misdirection);
-    return there;
   }
 
   [[nodiscard]] const InclinedLoad& load_of(int blade) const {

@@ -26,7 +26,7 @@ auto DirectedElastica::newton(const Pose& at, double slip, double angular_speed,
   for (int iteration = 0; iteration < 16; ++iteration) {
     const Constraint there = constraint(at, slip, angular_speed, bend);
     const double determinant = there.determinant();
-    const Bend change = correction(there);
+    const Bend change = there.correction();
     const double size =
         std::max(std::abs(change.modulus / bend.modulus), std::abs(change.amplitude / bend.amplitude));
     if (!(size < 1e3)) return std::nullopt;  // a fold, or not a number
@@ -37,7 +37,7 @@ auto DirectedElastica::newton(const Pose& at, double slip, double angular_speed,
     if (ends) {
       // On the branch that a growing load reaches h falls as |κ| grows along d = 0, and d falls as φ grows at
       // fixed κ. (Under friction that is steep in v, d need not fall; the determinant has the same sign.)
-      const bool falls = friction_.depends_on_velocity() || side * there.misdirection_by_amplitude < 0.0;
+      const bool falls = friction_.depends_on_velocity() || side * there.by_amplitude.misdirection < 0.0;
       if (!falls || !(determinant > 0.0)) return std::nullopt;
     }
     const double modulus = side * (bend.modulus + change.modulus);
@@ -75,7 +75,7 @@ std::optional<double> DirectedElastica::amplitude_of(const Pose& at, double slip
     const Constraint there = constraint(at, slip, angular_speed, {modulus, amplitude});
     const double value = side * there.misdirection;
     (value > 0.0 ? low : high) = amplitude;
-    const double step = -there.misdirection / there.misdirection_by_amplitude;
+    const double step = -there.misdirection / there.by_amplitude.misdirection;
     const double next = amplitude + step;
     if (std::abs(step) <= kSmallStep * amplitude || std::abs(value) <= kRounding) {
       return next > 0.0 ? next : amplitude;
@@ -319,9 +319,7 @@ bool DirectedElastica::respond(const Pose& at, double slip, double angular_speed
     const auto there = rest(at, angular_speed, bend);
     if (!there) return false;
     bend = there->bend;
-    Constraint standing = constraint(at, slip, angular_speed, bend);
-    standing.coefficient = there->coefficient;
-    force = force_of(at, angular_speed, standing);
+    force = force_of(at, angular_speed, constraint(at, slip, angular_speed, bend));
     return true;
   }
   const double first = first_load_angle(at, slip, angular_speed);

@@ -60,20 +60,32 @@ class DirectedElastica : public ElasticBladeInRing {
 
   using Bend = blade::Bend;
 
-  /// A contact at one bend, in equilibrium where `residual` and `misdirection` are zero.
-  struct Constraint {
+  /// Both equations at a bend, which are zero in equilibrium, or what they change by.
+  struct Equations {
+    double residual;      ///< h [m²]
+    double misdirection;  ///< d [rad]; of a tip at rest v in its place, times R [m² per unit τ]
+  };
+  /// A contact at one bend. Of a tip at rest (s = 0) c is what holds it there.
+  struct Constraint : Equations {
     blade::InclinedPoint blade;
-    BladeVector<double> tip;                                    ///< [m]
-    double coefficient;                                         ///< c [-]
-    double residual;                                            ///< h [m²]
-    double misdirection;                                        ///< d [rad]
-    double residual_by_modulus, residual_by_amplitude;          ///< [m²]
-    double misdirection_by_modulus, misdirection_by_amplitude;  ///< [rad]
+    BladeVector<double> tip;  ///< [m]
+    double coefficient;       ///< c [-]
+    Equations by_modulus, by_amplitude;
 
-    /// ∂(h, d)/∂(κ, φ) [m² rad]: zero at a fold, where a bent blade snaps through.
+    /// ∂(h, d)/∂(κ, φ): zero at a fold, where a bent blade snaps through.
     [[nodiscard]] double determinant() const {
-      return residual_by_modulus * misdirection_by_amplitude -
-             residual_by_amplitude * misdirection_by_modulus;
+      return by_modulus.residual * by_amplitude.misdirection -
+             by_amplitude.residual * by_modulus.misdirection;
+    }
+    /// The change of the bend that takes back a change of both equations, times the determinant.
+    [[nodiscard]] Bend against(const Equations& change) const {
+      return {change.misdirection * by_amplitude.residual - change.residual * by_amplitude.misdirection,
+              change.residual * by_modulus.misdirection - change.misdirection * by_modulus.residual};
+    }
+    /// Newton's step from the bend towards h = 0 and d = 0.
+    [[nodiscard]] Bend correction() const {
+      const Bend step = against(*this);
+      return {step.modulus / determinant(), step.amplitude / determinant()};
     }
   };
 
@@ -88,52 +100,44 @@ class DirectedElastica : public ElasticBladeInRing {
     const LoadAngle load = load_angle(at, slip, angular_speed, tip);
     result.coefficient = load.coefficient;
     result.misdirection = point.load_angle.value - load.angle;
+    const bool rests = slip == 0.0;
+    const BladeVector<double> rate = tip_rate(at, angular_speed);
+    if (rests) {
+      result.coefficient = std::tan(result.misdirection);  // where friction has not been taken off yet
+      result.misdirection = cross(tip, rate) + angular_speed * geometry_.ring_radius * geometry_.ring_radius;
+    }
     const double per_square = 1.0 / dot(tip, tip);
-    const auto set_slopes = [&](double shortening, double deflection, double load_angle, double& of_residual,
-                                double& of_misdirection) {
+    const auto slopes = [&](double shortening, double deflection, double load_angle) -> Equations {
       const BladeVector<double> change{-length_ * shortening, -length_ * deflection};
-      of_residual = square_change(tip, change);
       // dα = (a db − b da)/|r|²
-      of_misdirection = load_angle - load.angle_by_normal * per_square * cross(tip, change);
+      return {square_change(tip, change),
+              rests ? length_ * (deflection * rate.along - shortening * rate.across)
+                    : load_angle - load.angle_by_normal * per_square * cross(tip, change)};
     };
-    set_slopes(point.shortening.by_modulus, point.deflection.by_modulus, point.load_angle.by_modulus,
-               result.residual_by_modulus, result.misdirection_by_modulus);
-    set_slopes(point.shortening.by_amplitude, point.deflection.by_amplitude, point.load_angle.by_amplitude,
-               result.residual_by_amplitude, result.misdirection_by_amplitude);
+    result.by_modulus =
+        slopes(point.shortening.by_modulus, point.deflection.by_modulus, point.load_angle.by_modulus);
+    result.by_amplitude =
+        slopes(point.shortening.by_amplitude, point.deflection.by_amplitude, point.load_angle.by_amplitude);
     return result;
   }
 
-  /// Newton's step from a bend towards h = 0 and d = 0.
-  [[nodiscard]] static Bend correction(const Constraint& there) {
-    const double determinant = there.determinant();
-    return {
-        (there.misdirection * there.residual_by_amplitude -
-         there.residual * there.misdirection_by_amplitude) /
-            determinant,
-        (there.residual * there.misdirection_by_modulus - there.misdirection * there.residual_by_modulus) /
-            determinant};
-  }
   /// Force of a blade in equilibrium.
   [[nodiscard]] TipForce force_of(const Pose& at, double angular_speed, const Constraint& there) const;
-  /// dh/dτ [m²] and dd/dτ [rad] at a fixed bend and a constant angular speed.
-  struct Drift {
-    double residual;
-    double misdirection;
-  };
-  /// `acceleration`: that of the shaft's centre [m per unit τ²].
-  [[nodiscard]] Drift drift(const Pose& at, double angular_speed, const BladeVector<double>& acceleration,
-                            const Constraint& there) const {
+  /// By τ, at a fixed bend and a constant angular speed. `acceleration`: that of the shaft's centre [m per
+  /// unit τ²].
+  [[nodiscard]] Equations drift(const Pose& at, double slip, double angular_speed,
+                                const BladeVector<double>& acceleration, const Constraint& there) const {
     const BladeVector<double>& tip = there.tip;
     const BladeVector<double> rate = tip_rate(at, angular_speed);
-    Drift result{square_change(tip, rate), 0.0};
+    const double across = cross(tip, tip_acceleration(at, angular_speed, acceleration));
+    Equations result{square_change(tip, rate), 0.0};
+    if (slip == 0.0) return {result.residual, across};
     const double distance = magnitude(tip);
     const double turning = cross(tip, rate) / distance;
     if (follows_normal()) result.misdirection -= turning / distance;
     if (friction_.depends_on_velocity()) {
       const double velocity = turning + angular_speed * geometry_.ring_radius;
-      const double velocity_rate = (cross(tip, tip_acceleration(at, angular_speed, acceleration)) -
-                                    turning * dot(tip, rate) / distance) /
-                                   distance;
+      const double velocity_rate = (across - turning * dot(tip, rate) / distance) / distance;
       result.misdirection -=
           friction_.slope(velocity) * velocity_rate / (1.0 + there.coefficient * there.coefficient);
     }

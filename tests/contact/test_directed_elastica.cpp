@@ -196,13 +196,13 @@ TEST(DirectedElastica, SlopesOfTheConstraintAreItsDerivatives) {
              (12 * step);
     };
     const double square = kDefaultRotor.ring_radius * kDefaultRotor.ring_radius;
-    EXPECT_NEAR(here.residual_by_modulus,
+    EXPECT_NEAR(here.by_modulus.residual,
                 slope([&](double d) { return at_bend(modulus + d, amplitude).residual; }), 1e-8 * square);
-    EXPECT_NEAR(here.residual_by_amplitude,
+    EXPECT_NEAR(here.by_amplitude.residual,
                 slope([&](double d) { return at_bend(modulus, amplitude + d).residual; }), 1e-8 * square);
-    EXPECT_NEAR(here.misdirection_by_modulus,
+    EXPECT_NEAR(here.by_modulus.misdirection,
                 slope([&](double d) { return at_bend(modulus + d, amplitude).misdirection; }), 1e-7);
-    EXPECT_NEAR(here.misdirection_by_amplitude,
+    EXPECT_NEAR(here.by_amplitude.misdirection,
                 slope([&](double d) { return at_bend(modulus, amplitude + d).misdirection; }), 1e-7);
   }
 }
