@@ -45,7 +45,8 @@ inline double magnitude(const BladeVector<double>& vector) {
 }
 
 /// Where the tip of the unbent blade lies from the ring's centre [m].
-inline BladeVector<double> unbent_tip(const Geometry& geometry, const Pose& at) {
+template <class Number>
+BladeVector<Number> unbent_tip(const Geometry& geometry, const PoseOf<Number>& at) {
   return {at.radial + geometry.reach, at.tangential};
 }
 /// Rate of the tip as long as the blade keeps its bend [m per unit τ].

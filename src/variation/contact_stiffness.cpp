@@ -1,7 +1,6 @@
 #include "variation/contact_stiffness.hpp"
 
 #include <Eigen/LU>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <unsupported/Eigen/AutoDiff>
@@ -15,13 +14,14 @@ namespace {
 using Contact = trajectory::PathPoint::Contact;
 using trajectory::State;
 
-constexpr int kMostUnknowns = 2;
+constexpr int kUnknowns = 2;  ///< u, or κ and φ; fewer are filled up
 /// Slopes by c, c', the time in which blades turn, and the bend.
 constexpr int kPlace = 0;
 constexpr int kVelocity = 2;
 constexpr int kTime = 4;
 constexpr int kBend = 5;
-using Slopes = Eigen::Matrix<double, kBend + kMostUnknowns, 1>;
+constexpr int kSlopes = kBend + kUnknowns;
+using Slopes = Eigen::Matrix<double, kSlopes, 1>;
 using Number = Eigen::AutoDiffScalar<Slopes>;
 
 /// A function of one number whose value and slope are known.
@@ -51,19 +51,14 @@ std::shared_ptr<const blade::ElasticaCurve> curve_of(double friction, blade::The
 
 /// A tip in contact.
 struct ContactStiffness::Tip {
-  Number force_x, force_y;                        ///< f [N]
-  Number slip;                                    ///< v |w| [m² per unit τ]
-  std::array<Number, kMostUnknowns> constraints;  ///< h [m²], and the direction of the load [rad]
-  int unknowns = 0;
+  Number force_x, force_y;  ///< f [N]
+  Number slip;              ///< v |w| [m² per unit τ]
+  /// Slopes of h [m²] and of the direction of the load [rad]; of what a blade has not, an unknown stays zero.
+  Eigen::Matrix<double, kUnknowns, kSlopes> constraints =
+      Eigen::Matrix<double, kSlopes, kSlopes>::Identity().bottomRows<kUnknowns>();
 
-  /// D: so many rows and columns.
-  [[nodiscard]] Eigen::Matrix2d by_bend() const {
-    Eigen::Matrix2d result = Eigen::Matrix2d::Identity();
-    for (int i = 0; i < unknowns; ++i)
-      result.row(i).head(unknowns) =
-          constraints[static_cast<std::size_t>(i)].derivatives().segment(kBend, unknowns).transpose();
-    return result;
-  }
+  /// D.
+  [[nodiscard]] Eigen::Matrix2d by_bend() const { return constraints.rightCols<kUnknowns>(); }
   /// adj D.
   [[nodiscard]] Eigen::Matrix2d adjugate() const {
     const Eigen::Matrix2d slopes = by_bend();
@@ -71,43 +66,34 @@ struct ContactStiffness::Tip {
   }
   /// Slopes by c and c', `share` of the time in them, where the bend changes by −`lambda` (adj D) g.
   [[nodiscard]] Eigen::RowVector4d by_state(const Number& of, double share, double lambda) const {
-    Eigen::RowVector4d result = share * of.derivatives().head<4>().transpose();
-    if (unknowns == 0) return result;
     const Eigen::RowVector2d by_constraint =
-        lambda * of.derivatives().segment<2>(kBend).transpose() * adjugate();
-    for (int i = 0; i < unknowns; ++i)
-      result -=
-          by_constraint[i] * constraints[static_cast<std::size_t>(i)].derivatives().head<4>().transpose();
+        lambda * of.derivatives().tail<kUnknowns>().transpose() * adjugate();
+    Eigen::RowVector4d result = share * of.derivatives().head<4>().transpose();
+    for (int i = 0; i < kUnknowns; ++i) result -= by_constraint[i] * constraints.row(i).head<4>();
     return result;
   }
   /// (adj D) g_τ.
   [[nodiscard]] Eigen::Vector2d drift(const State& state, const Eigen::Vector2d& acceleration) const {
-    Eigen::Vector2d rates = Eigen::Vector2d::Zero();
-    for (int i = 0; i < unknowns; ++i)
-      rates[i] = rate(constraints[static_cast<std::size_t>(i)].derivatives(), state, acceleration);
+    Eigen::Vector2d rates;
+    for (int i = 0; i < kUnknowns; ++i) rates[i] = rate(constraints.row(i), state, acceleration);
     return adjugate() * rates;
   }
 };
 
-std::vector<ContactStiffness::OfBlade> ContactStiffness::laws_of(const settings::Scene& line) {
-  const contact::Friction friction = friction_of(line);
-  const auto law_of = [&](const settings::Blades& blade, const contact::Geometry& geometry) -> Law {
-    if (line.contact.law == settings::ContactLaw::elastic_ring)
-      return RigidBlade(geometry, line.ring.stiffness, friction);
-    if (friction.depends_on_velocity())
-      return DirectedBlade(contact::LoadDirection::axial, geometry, blade_of(blade), friction);
-    return ElasticBlade(geometry, blade_of(blade), curve_of(line.contact.friction, theory_of(line)));
-  };
-  std::vector<OfBlade> laws;
+ContactStiffness::ContactStiffness(const settings::Scene& line)
+    : friction_(friction_of(line)), angles_(angles_of(line)), blades_(angles_, 0.0) {
   for (const settings::Blades& blade : each_blade(line)) {
     const contact::Geometry geometry = geometry_of(line.ring, blade);
-    laws.push_back({geometry, law_of(blade, geometry)});
+    if (line.contact.law == settings::ContactLaw::elastic_ring) {
+      laws_.emplace_back(RigidBlade(geometry, line.ring.stiffness, friction_));
+    } else if (friction_.depends_on_velocity()) {
+      laws_.emplace_back(DirectedBlade(contact::LoadDirection::axial, geometry, blade_of(blade), friction_));
+    } else {
+      laws_.emplace_back(
+          ElasticBlade(geometry, blade_of(blade), curve_of(line.contact.friction, theory_of(line))));
+    }
   }
-  return laws;
 }
-
-ContactStiffness::ContactStiffness(const settings::Scene& line)
-    : laws_(laws_of(line)), angles_(angles_of(line)), blades_(angles_, 0.0) {}
 
 void ContactStiffness::begin(const rotor::RotorConstants& rotor) {
   rotor_ = rotor;
@@ -116,7 +102,8 @@ void ContactStiffness::begin(const rotor::RotorConstants& rotor) {
 
 std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contact, double time,
                                                            const State& state) const {
-  const auto& [geometry, law] = of_blade(contact.blade);
+  const Law& law = of_blade(contact.blade);
+  const contact::Geometry& geometry = geometry_at(contact.blade);
   const contact::BladeDirection direction = blades_.direction(contact.blade, blades_.first(time));
   const Number turned(0.0, rotor_.speed_ratio * Slopes::Unit(kTime));
   const Number er_x = of(direction.cosine, -direction.sine, turned);
@@ -129,7 +116,6 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
   Vector bent{Number(0.0), Number(0.0)};
   Number load(0.0), load_angle(0.0);
   if (const auto* elastic = std::get_if<ElasticBlade>(&law)) {
-    tip.unknowns = 1;
     double bending = contact.bending;
     if (!contact.carried) {
       const contact::Pose pose = rotor::pose_of(rotor_, geometry, direction, rotor::as_state(state));
@@ -143,7 +129,6 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
     bent.across = contact.slip * elastic->length() * of(point.deflection, point.deflection_slope, u);
     load = elastic->load_unit() * of(point.load, point.load_slope, u);
   } else if (const auto* directed = std::get_if<DirectedBlade>(&law)) {
-    tip.unknowns = 2;
     const blade::InclinedPoint point = blade::inclined_equilibrium({contact.modulus, contact.amplitude});
     const auto of_bend = [](const auto& quantity) {
       Slopes slopes = Slopes::Zero();
@@ -155,28 +140,28 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
     load = directed->load_unit() * of_bend(point.load);
     load_angle = of_bend(point.load_angle);
   }
-  const Vector unbent{at.radial + geometry.reach, at.tangential};
+  const Vector unbent = contact::unbent_tip(geometry, at);
   const Vector place = unbent - bent;
-  const Number distance = sqrt(place.along * place.along + place.across * place.across);
+  const Number distance = sqrt(contact::dot(place, place));
   const Number speed(rotor_.speed_ratio);
   const Number slip_velocity =
       contact::slip_velocity(place, contact::tip_rate(at, speed), speed, Number(1.0 / distance), distance);
   tip.slip = slip_velocity * distance;
 
-  const contact::Friction friction_law = std::visit([](const auto& blade) { return blade.friction(); }, law);
-  const Number friction = of(friction_law.coefficient(slip_velocity.value(), contact.slip),
-                             friction_law.slope(slip_velocity.value()), slip_velocity);
-  if (const auto* rigid = std::get_if<RigidBlade>(&law))
+  const auto [coefficient, by_velocity] = friction_.at(slip_velocity.value(), contact.slip);
+  const Number friction = of(coefficient, by_velocity, slip_velocity);
+  if (const auto* rigid = std::get_if<RigidBlade>(&law)) {
     load = rigid->stiffness() * (distance - geometry.ring_radius);
+  } else {
+    tip.constraints.row(0) = contact::contact_equation(at.gap, unbent, bent).derivatives();
+  }
   if (std::holds_alternative<DirectedBlade>(law)) {
     const Number secant_square = friction * friction + 1.0;
-    tip.constraints[1] = load_angle - of(std::atan(friction.value()), 1.0 / secant_square.value(), friction);
+    const Number angle = of(std::atan(friction.value()), 1.0 / secant_square.value(), friction);
+    tip.constraints.row(1) = (load_angle - angle).derivatives();
     load = load / sqrt(secant_square);
   }
-  tip.constraints[0] = contact::contact_equation(at.gap, unbent, bent);
-  const Vector direction_of_push = contact::push_direction(place, friction);
-  const Number per_distance = load / distance;
-  const Vector push{per_distance * direction_of_push.along, per_distance * direction_of_push.across};
+  const Vector push = contact::push_direction(place, friction) * Number(load / distance);
   tip.force_x = push.along * er_x - push.across * er_y;
   tip.force_y = push.along * er_y + push.across * er_x;
   return tip;
@@ -193,9 +178,9 @@ std::optional<ForceSlopes> ContactStiffness::along_path(const trajectory::PathPo
     double lambda = point.time_rate / determinant;
     if (contact.carried) {
       const Eigen::Vector2d drift = there->drift(point.state, acceleration);
-      const Eigen::Vector2d rates = there->unknowns == 1
-                                        ? Eigen::Vector2d(contact.bending_rate, 0.0)
-                                        : Eigen::Vector2d(contact.modulus_rate, contact.amplitude_rate);
+      const Eigen::Vector2d rates = needs_acceleration()
+                                        ? Eigen::Vector2d(contact.modulus_rate, contact.amplitude_rate)
+                                        : Eigen::Vector2d(contact.bending_rate, 0.0);
       const double by_time = determinant / (scale.time_rate * scale.time_rate);
       const Eigen::Vector2d by_bend = drift / (scale.bending_rate * scale.bending_rate);
       lambda =
@@ -208,7 +193,7 @@ std::optional<ForceSlopes> ContactStiffness::along_path(const trajectory::PathPo
 }
 
 ContactStiffness::Guard ContactStiffness::gap(int blade, double time, const State& state) const {
-  const contact::Geometry& geometry = of_blade(blade).geometry;
+  const contact::Geometry& geometry = geometry_at(blade);
   const contact::BladeDirection er = blades_.direction(blade, blades_.first(time));
   const contact::Pose pose = rotor::pose_of(rotor_, geometry, er, rotor::as_state(state));
   Guard guard;
@@ -228,7 +213,7 @@ std::optional<ContactStiffness::Guard> ContactStiffness::slip(const Contact& con
   Guard guard;
   guard.gradient = there->by_state(there->slip, 1.0, lambda);
   guard.rate = rate(slopes, state, acceleration) -
-               lambda * slopes.segment<2>(kBend).dot(there->drift(state, acceleration));
+               lambda * slopes.segment<kUnknowns>(kBend).dot(there->drift(state, acceleration));
   return guard;
 }
 

@@ -54,7 +54,7 @@ class ContactStiffness {
                                                       const Eigen::Vector2d& acceleration) const;
   /// The bending of a blade changes with the acceleration of the shaft, through the slip velocity.
   [[nodiscard]] bool needs_acceleration() const {
-    return std::holds_alternative<DirectedBlade>(laws_.front().law);
+    return std::holds_alternative<DirectedBlade>(laws_.front());
   }
 
   /// A guard e of a blade: its gradient by the shaft's state, and its rate along the motion.
@@ -76,18 +76,18 @@ class ContactStiffness {
   /// Whose friction depends on the slip velocity.
   using DirectedBlade = contact::DirectedElastica;
   using Law = std::variant<ElasticBlade, RigidBlade, DirectedBlade>;
-  struct OfBlade {
-    contact::Geometry geometry;
-    Law law;
-  };
-  static std::vector<OfBlade> laws_of(const settings::Scene& line);
-  [[nodiscard]] const OfBlade& of_blade(int blade) const { return laws_[static_cast<std::size_t>(blade)]; }
+  [[nodiscard]] const Law& of_blade(int blade) const { return laws_[static_cast<std::size_t>(blade)]; }
+  [[nodiscard]] const contact::Geometry& geometry_at(int blade) const {
+    return std::visit([](const auto& law) -> const contact::Geometry& { return law.geometry(); },
+                      of_blade(blade));
+  }
 
   struct Tip;
   [[nodiscard]] std::optional<Tip> tip(const trajectory::PathPoint::Contact& contact, double time,
                                        const trajectory::State& state) const;
 
-  std::vector<OfBlade> laws_;
+  contact::Friction friction_;
+  std::vector<Law> laws_;
   std::vector<double> angles_;  ///< of the blades [rad]
   rotor::RotorConstants rotor_{};
   rotor::BladeSet blades_;
