@@ -26,7 +26,8 @@ struct Bending {
 
 class ArcLaw {
  public:
-  ArcLaw() = default;
+  /// `friction`: of all blades.
+  explicit ArcLaw(const contact::Friction& friction) : friction_(friction) {}
   ArcLaw(const ArcLaw&) = delete;
   ArcLaw& operator=(const ArcLaw&) = delete;
   virtual ~ArcLaw() = default;
@@ -34,7 +35,7 @@ class ArcLaw {
   [[nodiscard]] virtual Blade numbers(int blade) const = 0;
   [[nodiscard]] virtual contact::Geometry geometry(int blade) const = 0;
   /// Friction takes its sign from s, so that a reversal of the slip is an event.
-  [[nodiscard]] virtual bool has_slip_state() const = 0;
+  [[nodiscard]] bool has_slip_state() const { return friction_.has_slip_state(); }
   /// The lean of the load is an unknown.
   [[nodiscard]] virtual bool leans() const { return false; }
   /// The force is explicit: the arc is a stretch of time.
@@ -110,8 +111,10 @@ class ArcLaw {
   /// Its force, and c [-].
   [[nodiscard]] virtual contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                                 double speed) const = 0;
-  [[nodiscard]] virtual double friction_coefficient(const Touch& touch, const contact::Pose& at,
-                                                    const contact::TipForce& force) const = 0;
+  [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& at,
+                                            const contact::TipForce& force) const {
+    return touch.slip == 0.0 ? holding(touch, at) : friction_.coefficient(force.slip_velocity, touch.slip);
+  }
   /// Puts a ring without mass where its spring balances these contacts.
   virtual void place_ring(double /*time*/, std::span<const Touch> /*touching*/,
                           rotor::ShaftAndRing& /*bodies*/) const {}
@@ -123,6 +126,10 @@ class ArcLaw {
   [[nodiscard]] virtual Rates rates(const Bending& /*bending*/, const Tangent& /*along*/) const { return {}; }
 
  protected:
+  /// c that holds a tip at rest.
+  [[nodiscard]] virtual double holding(const Touch& touch, const contact::Pose& /*at*/) const {
+    return touch.holding;
+  }
   /// What a contact and its force say of its start.
   static BladeStart starts(const Touch& touch, const contact::TipForce& force, double gap_measure) {
     BladeStart start;
@@ -139,6 +146,8 @@ class ArcLaw {
     start.start_yielding = touch.yielding;
     return start;
   }
+
+  contact::Friction friction_;
 };
 
 }  // namespace rubatlas::collocation

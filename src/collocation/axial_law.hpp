@@ -21,11 +21,13 @@ class AxialLaw : public ArcLaw {
   using Blades = std::vector<const contact::ElasticaContact*>;
   /// `blades` outlive it. `max_shortening`: of δ/L.
   AxialLaw(Blades blades, double max_shortening)
-      : blades_(std::move(blades)), solver_(interval_solver()), max_shortening_(max_shortening) {}
+      : ArcLaw(blades.front()->friction()),
+        blades_(std::move(blades)),
+        solver_(interval_solver()),
+        max_shortening_(max_shortening) {}
 
   [[nodiscard]] Blade numbers(int blade) const override;
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return of(blade).geometry(); }
-  [[nodiscard]] bool has_slip_state() const override { return true; }
   [[nodiscard]] bool may_slip_back() const override { return true; }
   [[nodiscard]] bool releases_at_fold(int blade) const override { return of(blade).releases_at_fold(); }
   [[nodiscard]] bool has_branches(int blade) const override { return of(blade).has_branches(); }
@@ -60,10 +62,6 @@ class AxialLaw : public ArcLaw {
   [[nodiscard]] Touch touch(const TipStart& tip, const Bending& bending) const override;
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override;
-  [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& /*at*/,
-                                            const contact::TipForce& /*force*/) const override {
-    return touch.slip * of(touch.blade).curve().friction();
-  }
   [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
     return {along.argument * table(leader_).bending_slope(bending.argument)};
   }

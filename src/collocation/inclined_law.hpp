@@ -24,11 +24,11 @@ class InclinedLaw final : public ArcLaw {
   /// `law` outlives it. `max_shortening`: of δ/L. `rests_at_once`: a tip that can rest does so where its slip
   /// velocity comes to zero, else only where its reversals accumulate (MODEL 4.4).
   InclinedLaw(const Laws& law, int blade_count, double max_shortening, bool rests_at_once = true)
-      : law_(&law),
+      : ArcLaw(law.of(0).friction()),
+        law_(&law),
         solver_(interval_solver()),
         max_shortening_(max_shortening),
-        may_slip_back_(law.of(0).friction().has_slip_state() &&
-                       !(rests_at_once && law.of(0).friction().sticks)) {
+        may_slip_back_(has_slip_state() && !(rests_at_once && friction_.sticks)) {
     for (int k = 0; k < blade_count; ++k) {
       const auto& blade = law.of(k);
       loads_.push_back({.along_normal = blade.direction() == contact::LoadDirection::normal,
@@ -46,7 +46,6 @@ class InclinedLaw final : public ArcLaw {
             .load_unit = law.load_unit(),
             .strain_unit = law.strain_unit()};
   }
-  [[nodiscard]] bool has_slip_state() const override { return law_->of(0).friction().has_slip_state(); }
   [[nodiscard]] bool may_slip_back() const override { return may_slip_back_; }
   [[nodiscard]] bool leans() const override { return true; }
   [[nodiscard]] bool has_branches(int /*blade*/) const override { return has_branches_; }
@@ -90,8 +89,8 @@ class InclinedLaw final : public ArcLaw {
     leader_ = touch.blade;
     const InclinedLoad& load = load_of(leader_);
     // A blade that an axial load bends the way friction pushes has no fold (MODEL 4.2).
-    has_branches_ = load.along_normal || load.rests || load.friction.depends_on_velocity() ||
-                    load.side * touch.slip < 0.0;
+    has_branches_ =
+        load.along_normal || load.rests || !load.friction.has_slip_state() || load.side * touch.slip < 0.0;
     const double lean = lean_of(touch.bend);
     if (load.table == nullptr && touch.touches_down()) set_knots(load, lean);
     deflection_per_square_ = law_->of(leader_).length() * load.deflection_per_square(lean);
@@ -169,12 +168,6 @@ class InclinedLaw final : public ArcLaw {
     const auto& law = law_->of(touch.blade);
     return law.force_of(at, speed, law.constraint(at, touch.slip, speed, touch.bend));
   }
-  [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& at,
-                                            const contact::TipForce& force) const override {
-    const auto& law = law_->of(touch.blade);
-    if (touch.slip == 0.0) return law.constraint(at, touch.slip, 0.0, touch.bend).coefficient;
-    return law.friction().coefficient(force.slip_velocity, touch.slip);
-  }
   [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
     const InclinedLoad& load = load_of(leader_);
     const double u = load.bending(bending.argument);
@@ -185,6 +178,10 @@ class InclinedLaw final : public ArcLaw {
   }
 
  private:
+  [[nodiscard]] double holding(const Touch& touch, const contact::Pose& at) const override {
+    return law_->of(touch.blade).constraint(at, touch.slip, 0.0, touch.bend).coefficient;
+  }
+
   static constexpr double kNear = 1e-3;    ///< of κ and φ: a bend that goes on differs by less
   static constexpr double kUnbent = 1e-9;  ///< of D/L: below it δ/D is less than rounding
 

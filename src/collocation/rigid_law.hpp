@@ -24,7 +24,7 @@ class RigidLaw final : public ArcLaw {
   using Laws = contact::UnequalBlades<contact::ElasticRingContact>;
   /// Both outlive it.
   RigidLaw(const Laws& law, const rotor::Machine& machine)
-      : law_(&law), machine_(&machine), solver_(interval_solver()), friction_(law.of(0).friction()) {}
+      : ArcLaw(law.of(0).friction()), law_(&law), machine_(&machine), solver_(interval_solver()) {}
 
   [[nodiscard]] Blade numbers(int blade) const override {
     const auto& law = law_->of(blade);
@@ -34,7 +34,6 @@ class RigidLaw final : public ArcLaw {
             .ring_damping = law.damping()};
   }
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return law_->of(blade).geometry(); }
-  [[nodiscard]] bool has_slip_state() const override { return friction_.has_slip_state(); }
   [[nodiscard]] bool is_rigid() const override { return true; }
   [[nodiscard]] bool ends_at_ring() const override { return law_->of(0).damping() == 0.0; }
   /// With a ring without mass v jumps, and a tip that would slip back is beyond the model.
@@ -82,11 +81,6 @@ class RigidLaw final : public ArcLaw {
     }
     return result;
   }
-  [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& /*at*/,
-                                            const contact::TipForce& force) const override {
-    if (touch.slip == 0.0) return touch.holding;
-    return law_->of(touch.blade).friction().coefficient(force.slip_velocity, touch.slip);
-  }
   void place_ring(double time, std::span<const Touch> touching, rotor::ShaftAndRing& bodies) const override {
     if (machine_->following_ring() == nullptr) return;
     rotor::ContactState placed = rotor::full_state(bodies, time, 0.0);
@@ -118,7 +112,6 @@ class RigidLaw final : public ArcLaw {
   const Laws* law_;
   const rotor::Machine* machine_;
   IntervalSolver solver_;
-  contact::Friction friction_;
 };
 
 }  // namespace rubatlas::collocation

@@ -37,7 +37,7 @@ auto DirectedElastica::newton(const Pose& at, double slip, double angular_speed,
     if (ends) {
       // On the branch that a growing load reaches h falls as |κ| grows along d = 0, and d falls as φ grows at
       // fixed κ. (Under friction that is steep in v, d need not fall; the determinant has the same sign.)
-      const bool falls = friction_.depends_on_velocity() || side * there.by_amplitude.misdirection < 0.0;
+      const bool falls = !friction_.has_slip_state() || side * there.by_amplitude.misdirection < 0.0;
       if (!falls || !(determinant > 0.0)) return std::nullopt;
     }
     const double modulus = side * (bend.modulus + change.modulus);
@@ -262,7 +262,7 @@ auto DirectedElastica::solve_for_coefficient(const Pose& at, double slip, double
 
 auto DirectedElastica::solve(const Pose& at, double slip, double angular_speed, double side) const
     -> std::optional<Bend> {
-  if (friction_.depends_on_velocity()) return solve_for_coefficient(at, slip, angular_speed, side);
+  if (!friction_.has_slip_state()) return solve_for_coefficient(at, slip, angular_speed, side);
   Walk walk(*this, at, slip, angular_speed, side);
   return walk.find() ? walk.root() : walk.unbent();
 }

@@ -135,11 +135,11 @@ class DirectedElastica : public ElasticBladeInRing {
     const double distance = magnitude(tip);
     const double turning = cross(tip, rate) / distance;
     if (follows_normal()) result.misdirection -= turning / distance;
-    if (friction_.depends_on_velocity()) {
+    if (!friction_.has_slip_state()) {
       const double velocity = turning + angular_speed * geometry_.ring_radius;
       const double velocity_rate = (across - turning * dot(tip, rate) / distance) / distance;
       result.misdirection -=
-          friction_.slope(velocity) * velocity_rate / (1.0 + there.coefficient * there.coefficient);
+          friction_.at(velocity, slip).slope * velocity_rate / (1.0 + there.coefficient * there.coefficient);
     }
     return result;
   }
@@ -186,7 +186,7 @@ class DirectedElastica : public ElasticBladeInRing {
   [[nodiscard]] bool follows_normal() const { return direction_ == LoadDirection::normal; }
   /// Does a contact remember the side to which its blade is bent?
   [[nodiscard]] bool remembers_side() const {
-    return follows_normal() || friction_.depends_on_velocity() || friction_.sticks;
+    return follows_normal() || !friction_.has_slip_state() || friction_.sticks;
   }
 
   class Walk;

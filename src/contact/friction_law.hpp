@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace rubatlas::contact {
 
@@ -53,14 +52,11 @@ Number hyperbolic_tangent(const Number& x) {
 
 /// A friction law of any kind, as numbers. Velocities are in metres per unit τ.
 struct Friction {
-  enum class Law : std::uint8_t { coulomb, regularised, stribeck };
-
   double friction;                     ///< μ, or the kinetic μk [-]
   double static_friction = 0.0;        ///< μs [-]: Stribeck's, or that of a tip at rest that sticks
-  double stribeck_velocity = 0.0;      ///< vs
-  double regularising_velocity = 0.0;  ///< v0
-  Law law = Law::coulomb;
-  bool sticks = false;  ///< s = 0 is a tip at rest
+  double stribeck_velocity = 0.0;      ///< vs of Stribeck's law, else 0
+  double regularising_velocity = 0.0;  ///< v0; 0 of Coulomb's law
+  bool sticks = false;                 ///< s = 0 is a tip at rest
 
   /// c = s μ (MODEL 4.3).
   static Friction coulomb(double friction) { return {friction}; }
@@ -68,16 +64,14 @@ struct Friction {
   /// static one. This coefficient is found by the caller (`sticking.hpp`), or by the law of contact itself
   /// (`DirectedElastica`).
   static Friction sticking(double friction, double largest_holding) {
-    Friction result{friction, largest_holding};
-    result.sticks = true;
-    return result;
+    return {.friction = friction, .static_friction = largest_holding, .sticks = true};
   }
   /// c = μ tanh(v/v0). Beyond |v| = 20 v0 it is Coulomb's law to the last bit; a tip that would stick creeps
   /// instead, at a speed below v0.
   /// Source: Andersson, Söderberg, Björklund, Tribology International 40 (2007) 580–587; Pennestrì et al.,
   /// Nonlinear Dynamics 83 (2016) 1785–1801.
   static Friction regularised(double friction, double regularising_velocity) {
-    return {friction, 0.0, 0.0, regularising_velocity, Law::regularised};
+    return {.friction = friction, .regularising_velocity = regularising_velocity};
   }
   /// c = [μk + (μs − μk) exp(−(v/vs)²)] tanh(v/v0): from the static coefficient it falls to the kinetic one
   /// as the slip grows, and goes through zero at v = 0 without a jump. Its largest value stays a little below
@@ -86,12 +80,11 @@ struct Friction {
   /// exponent 2), without the viscous term.
   static Friction stribeck(double static_friction, double kinetic_friction, double stribeck_velocity,
                            double regularising_velocity) {
-    return {kinetic_friction, static_friction, stribeck_velocity, regularising_velocity, Law::stribeck};
+    return {kinetic_friction, static_friction, stribeck_velocity, regularising_velocity};
   }
 
   /// Friction takes its sign from s. Else it depends on the slip velocity.
-  [[nodiscard]] bool has_slip_state() const { return law == Law::coulomb; }
-  [[nodiscard]] bool depends_on_velocity() const { return law != Law::coulomb; }
+  [[nodiscard]] bool has_slip_state() const { return !(regularising_velocity > 0.0); }
   /// Bound of |c|.
   [[nodiscard]] double largest() const { return std::max(static_friction, friction); }
   /// c, and dc/dv [1/(m per unit τ)] at fixed s. `Number`: `double`, or eight nodes in lanes.
@@ -101,11 +94,11 @@ struct Friction {
   };
   template <class Number>
   [[nodiscard]] At<Number> at(const Number& velocity, double slip) const {
-    if (law == Law::coulomb) return {Number(slip * friction), Number(0.0)};
+    if (has_slip_state()) return {Number(slip * friction), Number(0.0)};
     const double per_velocity = 1.0 / regularising_velocity;
     const Number share = hyperbolic_tangent(velocity * per_velocity);
     const Number rise = (Number(1.0) - share * share) * per_velocity;
-    if (law == Law::regularised) return {share * friction, rise * friction};
+    if (!(stribeck_velocity > 0.0)) return {share * friction, rise * friction};
     const double excess = static_friction - friction;
     const Number ratio = velocity * (1.0 / stribeck_velocity);
     const Number more = (Number(1.0) - decayed(ratio * ratio)) * excess;
@@ -115,7 +108,6 @@ struct Friction {
   [[nodiscard]] double coefficient(double velocity, double slip) const {
     return at(velocity, slip).coefficient;
   }
-  [[nodiscard]] double slope(double velocity) const { return at(velocity, 1.0).slope; }
 };
 
 }  // namespace rubatlas::contact

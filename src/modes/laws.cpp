@@ -74,7 +74,7 @@ std::unique_ptr<RestJudge> LawOfInclinedLoads::rest_judge(const ContactSetup& se
 /// None where friction depends on the slip velocity, or tips stick anyway.
 std::optional<contact::DirectedElastica> LawOfInclinedLoads::law_of_rest(int blade) const {
   const contact::Friction& friction = of(blade).friction();
-  if (friction.depends_on_velocity() || friction.sticks) return std::nullopt;
+  if (!friction.has_slip_state() || friction.sticks) return std::nullopt;
   return of(blade).with_friction(contact::Friction::sticking(friction.friction, friction.friction));
 }
 

@@ -86,7 +86,7 @@ ContactStiffness::ContactStiffness(const settings::Scene& line)
     const contact::Geometry geometry = geometry_of(line.ring, blade);
     if (line.contact.law == settings::ContactLaw::elastic_ring) {
       laws_.emplace_back(RigidBlade(geometry, line.ring.stiffness, friction_));
-    } else if (friction_.depends_on_velocity()) {
+    } else if (!friction_.has_slip_state()) {
       laws_.emplace_back(DirectedBlade(contact::LoadDirection::axial, geometry, blade_of(blade), friction_));
     } else {
       laws_.emplace_back(

@@ -36,8 +36,8 @@ TEST(FrictionLaw, SlopesAreTheDerivativesOfTheCoefficients) {
     return (8 * (c(step) - c(-step)) - (c(2 * step) - c(-2 * step))) / (12 * step);
   };
   for (double v = -0.1; v <= 0.1; v += 0.0013) {
-    EXPECT_NEAR(regularised.slope(v), difference(regularised, v), 1e-9);
-    EXPECT_NEAR(stribeck.slope(v), difference(stribeck, v), 1e-8);
+    EXPECT_NEAR(regularised.at(v, 1.0).slope, difference(regularised, v), 1e-9);
+    EXPECT_NEAR(stribeck.at(v, 1.0).slope, difference(stribeck, v), 1e-8);
   }
 }
 
