@@ -109,6 +109,16 @@ class ArcSweeps {
     }
     return tip;
   }
+  /// What an interval keeps of it, where shaft and ring have been found to be.
+  RigidTip store_rigid_tip(const Direction& er, TipInTime& kept) const {
+    const RigidTip tip = rigid_tip_of(kept, er);
+    straight_tip(kept, er).gap.store(kept.gap);
+    tip.yielding.store(kept.gap_measure);
+    tip.slip_velocity.store(kept.slip_velocity);
+    (tip.yielding * kept.blade->ring_stiffness).store(kept.normal_force);
+    Number(0.0).store(kept.root_strain);
+    return tip;
+  }
   /// What it does to the shaft, as an acceleration; `coefficient`: c.
   template <class Coefficient>
   Vector push_of_rigid(const Blade& blade, const RigidTip& tip, const Coefficient& coefficient,

@@ -281,25 +281,6 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     tip.yielding = load * blade.yield_unit;
     return load;
   }
-  void store_column(Tip tip, const Direction& er) const {
-    const Blade& blade = *tip.blade;
-    TipInTime& stored = *tip.in_time;
-    const Number load = compress(tip, er);
-    slip_velocity_of(tip, er).store(stored.slip_velocity);
-    (load * blade.load_unit).store(stored.normal_force);
-    Number(0.0).store(stored.root_strain);
-    (tip.bent.along * (1.0 / blade.length)).store(stored.shortening);
-    (load * -blade.load_unit + blade.buckling_load).store(stored.cone_left);
-  }
-  void store_straight(const Direction& er, TipInTime& stored) const {
-    const typename Base::RigidTip tip = this->rigid_tip_of(stored, er);
-    tip.yielding.store(stored.gap_measure);
-    tip.slip_velocity.store(stored.slip_velocity);
-    (tip.yielding * stored.blade->ring_stiffness).store(stored.normal_force);
-    Number(0.0).store(stored.root_strain);
-    Number(0.0).store(stored.shortening);
-    tip.depth.store(stored.yielding);
-  }
 
   /// g/Δ of a tip [m], as h = 0 has it. Next to the unbent blade F/kr is Δ's share there.
   static Number gap_measure_of(const Tip& tip, double ring_radius) {
@@ -332,15 +313,24 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
         tip.bent.across * (tip.slip / blade.length) + (Number(1.0) - shortening) * blade.friction;
     (tip.load * lever * (blade.strain_unit / blade.load_unit)).store(tip.in_time->root_strain);
   }
-  void store(const Tip& tip, const Direction& er) const {
+  void store(Tip& tip, const Direction& er) const {
     TipInTime& stored = *tip.in_time;
+    if (is_straight(tip) && is_damped(*tip.blade)) {
+      this->store_rigid_tip(er, stored).depth.store(stored.yielding);
+      Number(0.0).store(stored.shortening);
+      stored.square = stored.gap_measure;
+      return;
+    }
     const Number gap = straight_tip(stored, er).gap;
     gap.store(stored.gap);
     const bool is_column = tip.blade->buckling_load > 0.0;
     if (is_column) (gap * (0.5 / machine_.ring_radius)).store(stored.gap_measure);
-    if (is_straight(tip) && !is_damped(*tip.blade)) return store_column(tip, er);
-    if (is_straight(tip)) return store_straight(er, stored);
-    if (skims(tip)) {
+    if (is_straight(tip)) {
+      tip.load = compress(tip, er) * tip.blade->load_unit;
+      Number(0.0).store(stored.root_strain);
+      (tip.load * -1.0 + tip.blade->buckling_load).store(stored.cone_left);
+      stored.square = stored.gap_measure;
+    } else if (skims(tip)) {
       (share_ + kShareBeyond).store(stored.gap_measure);
       (share_ * -1.0 + (1.0 + kShareBeyond)).store(stored.cone_left);
     } else if (!is_column) {
@@ -352,19 +342,15 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     if (stored.load != nullptr) store_bend(tip);
     if (is_damped(*tip.blade)) tip.yielding.store(stored.yielding);
   }
-  void store() const {
+  void store() {
     this->store_motion();
     store(lead_, er_);
-    for (const FurtherTip& further : further_) {
+    for (FurtherTip& further : further_) {
       TipInTime& stored = *further.in_time;
       store(further, direction_at(er_, stored.offset));
-      if (further.blade->held_beyond_ring && !is_straight(further))
-        firmness_of(further, stored.short_of_fold).store(stored.firmness);
-      if (is_straight(further)) {
-        stored.square = stored.gap_measure;
-      } else {
-        further.square.store(stored.square);
-      }
+      if (is_straight(further)) continue;
+      further.square.store(stored.square);
+      if (further.blade->held_beyond_ring) firmness_of(further, stored.short_of_fold).store(stored.firmness);
     }
   }
 

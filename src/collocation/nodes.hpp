@@ -48,16 +48,14 @@ AtPlaces basis_at(double fraction);
 /// The same of the polynomials of degree 7 through the nodes alone: for slopes by θ.
 AtNodes slope_basis_at(double fraction);
 
-inline double sum_of_products(const AtPlaces& a, const AtPlaces& b) {
+template <std::size_t kCount>
+double sum_of_products(const std::array<double, kCount>& a, const std::array<double, kCount>& b) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < kPlaces; ++i) sum += a[i] * b[i];
+  for (std::size_t i = 0; i < kCount; ++i) sum += a[i] * b[i];
   return sum;
 }
-
 inline double sum_of_products(const AtNodes& a, const AtNodes& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < kNodes; ++i) sum += a[i] * b[i];
-  return sum;
+  return sum_of_products(a.value, b.value);
 }
 
 inline AtPlaces at_places(double start, const AtNodes& nodes) {

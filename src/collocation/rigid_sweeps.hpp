@@ -162,27 +162,16 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   void store() {
     if (this->ring_is_massless()) settle_ring();
     this->store_motion();
-    std::size_t at_rest = 0;
-    store_tip(er_, at_rest, leader_);
-    for (TipInTime& further : interval_.further()) {
-      store_tip(Base::direction_at(er_, further.offset), at_rest, further);
-      further.square = further.gap_measure;
-    }
-  }
-  /// `at_rest`: tips at rest before this one, in the order of `hold`.
-  void store_tip(const Direction& er, std::size_t& at_rest, TipInTime& kept) const {
-    const Blade& blade = *kept.blade;
-    const Tip tip = rigid_tip_of(kept, er);
-    this->straight_tip(kept, er).gap.store(kept.gap);
-    tip.yielding.store(kept.gap_measure);
-    tip.slip_velocity.store(kept.slip_velocity);
-    (tip.yielding * blade.ring_stiffness).store(kept.normal_force);
-    Number(0.0).store(kept.root_strain);
-    if (kept.slip != 0.0 || at_rest == contact::kMostAtRest) return;
-    const Number load = tip.yielding * (blade.ring_stiffness * machine_.force_unit);
-    const Number largest = load * contact::largest_at_rest(friction_);
-    (largest * largest - pull_[at_rest] * pull_[at_rest]).store(kept.cone_left);
-    ++at_rest;
+    std::size_t at_rest = 0;  // tips before this one, in the order of `hold`
+    each_tip([&](TipInTime& kept, const Direction& er) {
+      const Tip tip = this->store_rigid_tip(er, kept);
+      if (kept.slip != 0.0 || at_rest == contact::kMostAtRest) return;
+      const Number load = tip.yielding * (kept.blade->ring_stiffness * machine_.force_unit);
+      const Number largest = load * contact::largest_at_rest(friction_);
+      (largest * largest - pull_[at_rest] * pull_[at_rest]).store(kept.cone_left);
+      ++at_rest;
+    });
+    for (TipInTime& further : interval_.further()) further.square = further.gap_measure;
   }
 
   const contact::Friction& friction_;
