@@ -67,10 +67,11 @@ std::unique_ptr<modes::Law> law_of_inclined_loads(const LineRequest& request) {
 }
 
 std::unique_ptr<modes::Law> law_of_damped_ring(const LineRequest& request) {
-  const contact::DampedRing ring{1.0 / request.line.yielding_ring->compliance, ring_damping(request)};
+  const double stiffness = 1.0 / request.line.yielding_ring->compliance;
   return of_blades<modes::LawOfDampedRing>(request, [&](const auto& geometry, const auto& blade) {
     return contact::ElasticBladeOnDampedRing(
-        contact::ElasticaContact(geometry, variation::blade_of(blade), curve_of(request, blade)), ring);
+        contact::ElasticaContact(geometry, variation::blade_of(blade), curve_of(request, blade)), stiffness,
+        ring_damping(request));
   });
 }
 

@@ -18,10 +18,10 @@ DampedLaw::DampedLaw(const Laws& laws, int blade_count, double max_shortening)
     : AxialLaw(blades_of(laws, blade_count), max_shortening), laws_(&laws) {}
 
 Blade DampedLaw::numbers(int blade) const {
-  const contact::DampedRing& ring = laws_->of(blade).ring();
+  const contact::ElasticRingContact& straight = laws_->of(blade).straight();
   Blade numbers = AxialLaw::numbers(blade);
-  numbers.ring_stiffness = ring.stiffness;
-  numbers.ring_damping = ring.damping;
+  numbers.ring_stiffness = straight.stiffness();
+  numbers.ring_damping = straight.damping();
   return numbers;
 }
 
@@ -56,7 +56,7 @@ BladeStart DampedLaw::start(const Touch& touch, const contact::Pose& at, double 
   if (touch.straight) {
     const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
     const contact::TipForce there = force(touch, at, speed);
-    BladeStart start = starts(touch, there, there.normal / law.ring().stiffness);
+    BladeStart start = starts(touch, there, there.normal / law.straight().stiffness());
     start.start_cone_left = law.bending_load(at, touch.slip, speed) - there.normal;
     return start;
   }
@@ -76,9 +76,8 @@ ArcLaw::Tangent DampedLaw::tangent(const Touch& touch, const contact::Pose& at, 
 }
 
 contact::TipForce DampedLaw::force(const Touch& touch, const contact::Pose& at, double speed) const {
-  if (!touch.straight) return AxialLaw::force(touch, at, speed);
-  const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
-  return law.straight(at, touch.slip, speed, law.ring_load(law.depth(at), law.depth_rate(at, speed)));
+  return touch.straight ? laws_->of(touch.blade).straight().force(at, touch.slip, speed)
+                        : AxialLaw::force(touch, at, speed);
 }
 
 bool DampedLaw::solve(const Machine& machine, const Closeness& closeness, Interval& interval) const {

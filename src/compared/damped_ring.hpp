@@ -184,9 +184,8 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
     const contact::ElasticBladeOnDampedRing& law = of(open.blade);
     const double speed = blades().angular_speed(state[rotor::kTime]);
     if (open.straight) {
-      const contact::Pose at = pose(open.blade, state);
-      rate = law.depth_rate(at, speed);
-      force = law.straight(at, open.slip, speed, law.ring_load(yielding, rate));
+      force = law.straight().force(pose(open.blade, state), open.slip, speed);
+      rate = law.yielding_rate(force.normal, yielding);
       return true;
     }
     const contact::Pose at = rotor::pose_of(rotor(), law.geometry_at(yielding),

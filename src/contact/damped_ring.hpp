@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
@@ -18,28 +17,24 @@
 
 namespace rubatlas::contact {
 
-/// Spring and damper under each tip.
-struct DampedRing {
-  double stiffness;  ///< kr [N/m]
-  double damping;    ///< cr ωn [N per (m per unit τ)]
-};
-
 /// Elastic blades: the blade stands in a ring of radius R + y, and y follows from its force,
 ///     cr y' = F − kr y.
 /// On the receding side a blade bends under a finite load only (MODEL 4.2). Below that it stands straight,
 /// and the ring yields under it as under a rigid one: y is the depth of the tip, and F = kr y + cr y'.
 class ElasticBladeOnDampedRing {
  public:
-  ElasticBladeOnDampedRing(ElasticaContact blade, DampedRing ring) : blade_(std::move(blade)), ring_(ring) {}
+  /// `stiffness`: kr [N/m]; `damping`: cr ωn [N per (m per unit τ)], under each tip.
+  ElasticBladeOnDampedRing(const ElasticaContact& blade, double stiffness, double damping)
+      : blade_(blade), straight_(blade.geometry(), stiffness, blade.friction(), damping) {}
 
   [[nodiscard]] const Geometry& geometry() const { return blade_.geometry(); }
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return blade_.curve(); }
   [[nodiscard]] Friction friction() const { return blade_.friction(); }
   [[nodiscard]] const ElasticaContact& blade() const { return blade_; }  ///< in a ring that does not yield
-  [[nodiscard]] const DampedRing& ring() const { return ring_; }
+  [[nodiscard]] const ElasticRingContact& straight() const { return straight_; }  ///< where it does not bend
   /// The same blade, shorter at its tip by `lost` [m].
   [[nodiscard]] ElasticBladeOnDampedRing shortened(double lost) const {
-    return {blade_.shortened(lost), ring_};
+    return {blade_.shortened(lost), straight_.stiffness(), straight_.damping()};
   }
   /// How often the curve has been evaluated.
   [[nodiscard]] std::uint64_t evaluations() const { return blade_.evaluations() + evaluations_; }
@@ -50,21 +45,13 @@ class ElasticBladeOnDampedRing {
   }
   /// dy/dτ [m per unit τ] under a load F [N].
   [[nodiscard]] double yielding_rate(double load, double yielding) const {
-    return (load - ring_.stiffness * yielding) / ring_.damping;
+    return (load - straight_.stiffness() * yielding) / straight_.damping();
   }
 
   /// How deep the tip of a straight blade stands in the undeformed ring [m]; 0 outside.
   [[nodiscard]] double depth(const Pose& at) const {
     const double radius = geometry().ring_radius;
     return at.gap > 0.0 ? at.gap / (radius + std::sqrt(radius * radius + at.gap)) : 0.0;
-  }
-  /// dy/dτ where the tip of a straight blade stands on the ring.
-  [[nodiscard]] double depth_rate(const Pose& at, double angular_speed) const {
-    return 0.5 * gap_rate(geometry(), at, angular_speed) / magnitude(unbent_tip(geometry(), at));
-  }
-  /// F of the ring where it yields by y at the rate y' [N].
-  [[nodiscard]] double ring_load(double yielding, double rate) const {
-    return ring_.stiffness * yielding + ring_.damping * rate;
   }
   /// Load above which a straight blade bends [N]; on the approaching side 0, or Euler's without friction.
   [[nodiscard]] double bending_load(const Pose& at, double slip, double angular_speed) const {
@@ -79,11 +66,6 @@ class ElasticBladeOnDampedRing {
     evaluations_ += blade.evaluations();
     return bends ? force.normal : 0.0;
   }
-  /// Force of a straight blade under a load.
-  [[nodiscard]] TipForce straight(const Pose& at, double slip, double angular_speed, double load) const {
-    return ElasticRingContact(geometry(), 0.0, {curve().friction()})
-        .under_load(at, slip, angular_speed, load);
-  }
 
   /// Force of the blade in the ring that yields by y; `at`: its pose there (`geometry_at`). False where the
   /// blade has no equilibrium.
@@ -97,7 +79,7 @@ class ElasticBladeOnDampedRing {
 
  private:
   ElasticaContact blade_;
-  DampedRing ring_;
+  ElasticRingContact straight_;
   mutable std::uint64_t evaluations_ = 0;  ///< of curves in a ring that yields; no result depends on it
 };
 

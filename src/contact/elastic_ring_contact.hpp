@@ -27,17 +27,13 @@ class ElasticRingContact {
 
   /// F = kr (|rk| − R) + cr d|rk|/dτ, continued beyond lift-off, where Runge–Kutta stages may land.
   [[nodiscard]] TipForce force(const Pose& at, double slip, double angular_speed) const {
-    const double distance = magnitude(unbent_tip(geometry_, at));
+    const BladeVector<double> tip = unbent_tip(geometry_, at);
+    const double distance = magnitude(tip);
     // |rk| − R from g = |rk|² − R²: exact where |rk| and R are nearly equal.
     double load = stiffness_ * at.gap / (distance + geometry_.ring_radius);
     if (damping_ > 0.0) load += damping_ * (0.5 * gap_rate(geometry_, at, angular_speed) / distance);
-    return under_load(at, slip, angular_speed, load);
-  }
-  /// Force and slip velocity of a tip under the normal load F [N].
-  [[nodiscard]] TipForce under_load(const Pose& at, double slip, double angular_speed, double load) const {
     const double velocity = undeformed_slip_velocity(geometry_, at, angular_speed);
-    const BladeVector<double> tip = unbent_tip(geometry_, at);
-    return tip_force(tip, magnitude(tip), velocity, load, friction_.coefficient(velocity, slip));
+    return tip_force(tip, distance, velocity, load, friction_.coefficient(velocity, slip));
   }
 
  private:

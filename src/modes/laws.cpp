@@ -46,15 +46,14 @@ std::unique_ptr<ArcLaw> LawOfDampedRing::arcs(const rotor::Machine& machine, dou
 
 bool LawOfDampedRing::open(const TipPlace& at, OpenContact& contact) const {
   const auto& blade = of(contact.blade);
-  const double load = blade.ring_load(blade.depth(at.pose), blade.depth_rate(at.pose, at.speed));
+  const double load = blade.straight().force(at.pose, contact.slip, at.speed).normal;
   contact.straight = load < blade.bending_load(at.pose, contact.slip, at.speed);
   return true;
 }
 
 bool LawOfDampedRing::straightens(const TipPlace& at, OpenContact& contact) const {
-  const auto& blade = of(contact.blade);
-  const double rate = blade.depth_rate(at.pose, at.speed);
-  if (contact.straight || !(blade.ring_load(contact.yielding, rate) > 0.0)) return false;
+  const contact::TipForce force = of(contact.blade).straight().force(at.pose, contact.slip, at.speed);
+  if (contact.straight || !(force.normal > 0.0)) return false;
   contact.straight = true;
   contact.bending = 0.0;
   return true;

@@ -47,7 +47,7 @@ ElasticOnDampers elastic_on_dampers(std::mt19937_64& generator) {
   const double stiffness = std::pow(10.0, uniform(generator, 2.0, 5.0));
   const double critical = 2.0 * std::sqrt(stiffness / rotor.constants.force_unit);
   const double damping = critical * std::pow(10.0, uniform(generator, -2.0, 0.5));
-  return {rotor, {rotor.law, {stiffness, damping}}, random_start(generator)};
+  return {rotor, {rotor.law, stiffness, damping}, random_start(generator)};
 }
 
 struct Revolution {
