@@ -23,8 +23,8 @@ auto ElasticaContact::constraint_at(const Pose& at, double slip, const blade::Cu
 
 std::optional<double> ElasticaContact::solve(const Pose& at, double slip) const {
   const bool outside = at.gap < -gap_rounding(geometry(), at);
-  if (has_branches_ || (releases_at_fold() && outside)) {
-    if (may_stand_straight_ && !outside && straight_load(at) <= blade::kEulerLoad) return 0.0;
+  if (has_branches() || (releases_at_fold() && outside)) {
+    if (may_stand_straight() && !outside && straight_load(at) <= blade::kEulerLoad) return 0.0;
     const Branches all = branches(at, slip);
     for (std::size_t i = 0; i < all.count; ++i) {
       // An undeformed tip that has left the ring has a contact on the bent branch only.
@@ -66,7 +66,7 @@ double ElasticaContact::bending_at_ring(const Pose& at, double slip) const {
 
 auto ElasticaContact::branches(const Pose& at, double slip) const -> Branches {
   const auto& knots = curve_->knots();
-  const auto rise_at = [&](double bending) { return rise(at, slip, curve_at(bending)); };
+  const auto rise_at = [&](double bending) { return rise(at, slip, curve_at(bending)).sum; };
   Branches found;
   double before = 0.0;
   double at_before = slope(at, slip, knots.front());
@@ -124,7 +124,7 @@ std::optional<double> ElasticaContact::root_on(const Pose& at, double slip, cons
   if (!(at_begin > 0.0)) {
     // Too light to load the blade, or to bend the column; else h has no root up here.
     const bool unloaded =
-        branch.begin == 0.0 && (may_stand_straight_ || at.gap >= -gap_rounding(geometry(), at));
+        branch.begin == 0.0 && (may_stand_straight() || at.gap >= -gap_rounding(geometry(), at));
     return unloaded ? std::optional(0.0) : std::nullopt;
   }
   auto knot = std::upper_bound(knots.begin(), knots.end(), branch.begin,
@@ -142,8 +142,8 @@ std::optional<double> ElasticaContact::root_on(const Pose& at, double slip, cons
 
 bool ElasticaContact::ends_unloaded(const Pose& at, double slip, double bending) const {
   if (!starts_unloaded(at, slip)) return false;
-  if (!has_branches_ || bending == 0.0) return true;
-  if (may_stand_straight_) return false;
+  if (!has_branches() || bending == 0.0) return true;
+  if (may_stand_straight()) return false;
   const Branches all = branches(at, slip);
   return all.count == 0 || !(all.list[all.of(bending)].begin > 0.0);
 }
@@ -152,11 +152,11 @@ std::optional<double> ElasticaContact::snap(const Pose& at, double slip, double 
                                             double angular_speed) const {
   const Branches all = branches(at, slip);
   std::size_t next = all.of(bending);
-  if (may_stand_straight_ && bending == 0.0) {
+  if (may_stand_straight() && bending == 0.0) {
     // Straight before, and bent is what comes next.
   } else if (closes_in(at, slip, bending, angular_speed)) {
     ++next;
-  } else if (may_stand_straight_) {
+  } else if (may_stand_straight()) {
     return at.gap > 0.0 ? std::optional(0.0) : std::nullopt;
   } else if (next == 0 || !(at.gap > 0.0)) {
     return std::nullopt;
@@ -167,12 +167,12 @@ std::optional<double> ElasticaContact::snap(const Pose& at, double slip, double 
 }
 
 std::optional<double> ElasticaContact::solve_near(const Pose& at, double slip, double bending) const {
-  if (has_branches_ && bending == 0.0) {
-    if (may_stand_straight_ && straight_load(at) <= blade::kEulerLoad) return 0.0;
+  if (has_branches() && bending == 0.0) {
+    if (may_stand_straight() && straight_load(at) <= blade::kEulerLoad) return 0.0;
     // What starts from the unloaded blade, or the column where it buckles without a jump.
     const Branches all = branches(at, slip);
     if (all.count > 0 && all.list[0].begin == 0.0) return root_on(at, slip, all.list[0]);
-    return may_stand_straight_ ? std::nullopt : solve(at, slip);
+    return may_stand_straight() ? std::nullopt : solve(at, slip);
   }
   // Newton on the falling branch. Its floor is the rounding of g against the slope, so it ends when a step no
   // longer shrinks; a step that leaves the branch hands over to the bracketing solver. Between two places
@@ -180,37 +180,28 @@ std::optional<double> ElasticaContact::solve_near(const Pose& at, double slip, d
   // it bends by in between.
   constexpr double kBend = 10.0;
   const double from = bending;
-  // dh/dF, and the sum of the magnitudes of which it is made.
-  struct Incline {
-    double rise, parts;
-  };
-  const auto incline = [&](const blade::CurvePoint& point) {
-    const SlopeParts parts = slope_parts(at, slip, point);
-    const double unit = friction_ > 0.0 ? 1.0 / point.load_slope : 1.0;
-    return Incline{unit * parts.sum(), unit * parts.size()};
-  };
-  Incline first{};
+  Slope first{};
   double previous = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < 12; ++iteration) {
     const blade::CurvePoint point = curve_at(bending);
     const double descent = slope(at, slip, point);
     if (!(descent < 0.0)) break;
-    if (has_branches_ && iteration == 0) first = incline(point);
+    if (has_branches() && iteration == 0) first = rise(at, slip, point);
     const double step = -residual(at, slip, point) / descent;
     const double size = std::abs(step);
     bending += step;
     if (!(bending > 0.0) || bending > curve_->end()) break;
     if (size <= 4e-16 * bending || (size < 1e-9 * bending && size >= 0.5 * previous)) {
-      if (!has_branches_) return bending;
-      const Incline here = incline(point);
+      if (!has_branches()) return bending;
+      const Slope here = rise(at, slip, point);
       const double moved = (bending - from) / std::min(bending, from);
-      const double least = std::min(-first.rise, -here.rise);
-      if (kBend * moved * moved * std::max(first.parts, here.parts) < least) return bending;
+      const double least = std::min(-first.sum, -here.sum);
+      if (kBend * moved * moved * std::max(first.size, here.size) < least) return bending;
       break;
     }
     previous = size;
   }
-  if (!has_branches_) return solve(at, slip);
+  if (!has_branches()) return solve(at, slip);
   const Branches all = branches(at, slip);
   return all.count > 0 ? root_on(at, slip, all.list[all.of(from)]) : std::nullopt;
 }
@@ -220,11 +211,11 @@ bool ElasticaContact::respond(const Pose& at, double slip, double angular_speed,
   // Beyond a lift-off on the approaching side the gap is negative and no positive load exists. There the load
   // is continued as an odd function of the gap (at μ = 0, where it does not vanish at lift-off, as an even
   // one).
-  const bool beyond_end = !may_stand_straight_ && at.gap < 0.0 && ends_unloaded(at, slip, bending);
+  const bool beyond_end = !may_stand_straight() && at.gap < 0.0 && ends_unloaded(at, slip, bending);
   Pose mirrored = at;
   if (beyond_end) mirrored.gap = -at.gap;
   const auto root = solve_near(mirrored, slip, bending);
-  const bool straightened = may_stand_straight_ && (root ? *root == 0.0 : bending == 0.0);
+  const bool straightened = may_stand_straight() && (root ? *root == 0.0 : bending == 0.0);
   if (straightened) {
     // Linearly so beyond lift-off, and as far beyond the Euler load as it takes to see that the column snaps
     // there.

@@ -95,8 +95,6 @@ class ElasticaContact : public ElasticBladeInRing {
         yield_unit_(load_unit_ / ring.stiffness),
         ring_(ring),
         axial_unit_(blade.length * curve->axial_compliance()),
-        has_branches_(axial_unit_ > 0.0 || yield_unit_ > 0.0),
-        may_stand_straight_(!(friction_ > 0.0) && has_branches_),
         curve_(std::move(curve)) {
     if (friction_ > 0.0) {
       const double per_lateral = 3.0 / (friction_ * length_);
@@ -130,15 +128,15 @@ class ElasticaContact : public ElasticBladeInRing {
   /// Whether a contact on the receding side goes on while it has a force, with g < 0.
   [[nodiscard]] bool releases_at_fold() const { return ring_.release == Release::at_fold; }
   /// A column that something gives way in series with: up to its Euler load it is compressed straight.
-  [[nodiscard]] bool may_stand_straight() const { return may_stand_straight_; }
+  [[nodiscard]] bool may_stand_straight() const { return !(friction_ > 0.0) && has_branches(); }
   /// Whether h = 0 may have more than one root where a blade can stand.
-  [[nodiscard]] bool has_branches() const { return has_branches_; }
+  [[nodiscard]] bool has_branches() const { return axial_unit_ > 0.0 || yield_unit_ > 0.0; }
 
   /// Whether the force vanishes with the gap where the blade stands: h falls with the load from the unloaded
   /// blade on, −dh/dF = 2 (rh + L + cr) dδ/dF + 2 s ct dΔ/dF + 2R/kr >= 0 with Δ = μ F L³/(3 EI) there.
   /// Without compliance: the approaching side (MODEL 4.2).
   [[nodiscard]] bool starts_unloaded(const Pose& at, double slip) const {
-    if (may_stand_straight_) return true;
+    if (may_stand_straight()) return true;
     return slip * at.tangential + (axial_relief_ * (at.radial + geometry_.reach) + ring_relief_) >= 0.0;
   }
   /// The same for an open contact, which may stand on another branch.
@@ -225,22 +223,28 @@ class ElasticaContact : public ElasticBladeInRing {
   [[nodiscard]] BladeVector<double> tip(const Pose& at, double slip, const blade::CurvePoint& point) const {
     return unbent_tip(geometry_, at) - bent_by(slip, point);
   }
-  /// What ∂h/∂u has of the bend, and of the ring that yields [m²].
-  struct SlopeParts {
-    double shortening, deflection, ring;
-    [[nodiscard]] double sum() const { return shortening + deflection + ring; }
-    [[nodiscard]] double size() const { return std::abs(shortening) + std::abs(deflection) + std::abs(ring); }
+  /// A slope of h, and the sum of the magnitudes of which it is made [m²].
+  struct Slope {
+    double sum, size;
   };
-  [[nodiscard]] SlopeParts slope_parts(const Pose& at, double slip, const blade::CurvePoint& point) const {
+  /// ∂h/∂u: of the bend, and of the ring that yields.
+  [[nodiscard]] Slope slope_of(const Pose& at, double slip, const blade::CurvePoint& point) const {
     const BladeVector<double> there = tip(at, slip, point);
     const double twice = -2.0 * length_;
-    return {twice * there.along * point.shortening_slope,
-            twice * slip * there.across * point.deflection_slope,
-            -2.0 * yield_unit_ * (geometry_.ring_radius + yield_unit_ * point.load) * point.load_slope};
+    const double by_shortening = twice * there.along * point.shortening_slope;
+    const double by_deflection = twice * slip * there.across * point.deflection_slope;
+    const double by_ring =
+        -2.0 * yield_unit_ * (geometry_.ring_radius + yield_unit_ * point.load) * point.load_slope;
+    return {by_shortening + by_deflection + by_ring,
+            std::abs(by_shortening) + std::abs(by_deflection) + std::abs(by_ring)};
   }
-  /// ∂h/∂u.
   [[nodiscard]] double slope(const Pose& at, double slip, const blade::CurvePoint& point) const {
-    return slope_parts(at, slip, point).sum();
+    return slope_of(at, slip, point).sum;
+  }
+  /// dh/dF (dh/du for the column) as `Knot` has its slopes.
+  [[nodiscard]] Slope rise(const Pose& at, double slip, const blade::CurvePoint& point) const {
+    const Slope by_bend = slope_of(at, slip, point);
+    return friction_ > 0.0 ? Slope{by_bend.sum / point.load_slope, by_bend.size / point.load_slope} : by_bend;
   }
   [[nodiscard]] Constraint constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
                                          double angular_speed) const;
@@ -268,10 +272,6 @@ class ElasticaContact : public ElasticBladeInRing {
     }
   };
   [[nodiscard]] Branches branches(const Pose& at, double slip) const;
-  /// dh/dF (dh/du for the column) as `Knot` has its slopes [m²].
-  [[nodiscard]] double rise(const Pose& at, double slip, const blade::CurvePoint& point) const {
-    return friction_ > 0.0 ? slope(at, slip, point) / point.load_slope : slope(at, slip, point);
-  }
   [[nodiscard]] std::optional<double> root_on(const Pose& at, double slip, const Branch& branch) const;
 
   double friction_;    ///< μ [-]
@@ -280,8 +280,6 @@ class ElasticaContact : public ElasticBladeInRing {
   double axial_unit_;          ///< L ε [m]: axial shortening under F = EI/L²
   double axial_relief_ = 0.0;  ///< 3ε/μ [-]
   double ring_relief_ = 0.0;   ///< 3 EI R / (μ L³ kr) [m]
-  bool has_branches_;
-  bool may_stand_straight_;
   std::shared_ptr<const blade::ElasticaCurve> curve_;
 };
 
