@@ -70,11 +70,6 @@ class ArcLaw {
   [[nodiscard]] bool is_free_at_once(const Touch& touch, const contact::Pose& at, double speed) const {
     return !ends_at_ring() && (is_rigid() || touch.straight) && !(force(touch, at, speed).normal > 0.0);
   }
-  /// The same to rounding, of a contact that an arc has left somewhat off its equilibrium.
-  [[nodiscard]] virtual std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
-                                                        double speed) const {
-    return open(touch, at, speed);
-  }
   /// How often equilibria have been evaluated to find those.
   [[nodiscard]] virtual std::uint64_t evaluations() const { return 0; }
 

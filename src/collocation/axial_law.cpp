@@ -38,16 +38,6 @@ std::optional<Touch> AxialLaw::open(const Touch& touch, const contact::Pose& at,
   return found;
 }
 
-std::optional<Touch> AxialLaw::found_anew(const Touch& touch, const contact::Pose& at,
-                                          double /*speed*/) const {
-  Touch found = touch;
-  if (touch.straight) return found;
-  const auto root = of(touch.blade).solve_near(at, touch.slip, touch.bending);
-  if (!root || (*root == 0.0 && touch.bending > 0.0)) return std::nullopt;
-  found.bending = *root;
-  return found;
-}
-
 Bending AxialLaw::lead(const Touch& touch) {
   leader_ = touch.blade;
   return {.argument = touch.straight ? kStraight : table(touch.blade).argument(touch.bending),

@@ -41,8 +41,6 @@ class AxialLaw : public ArcLaw {
   /// The motion has found where a blade stands that is bent.
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                           double speed) const override;
-  [[nodiscard]] std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
-                                                double speed) const override;
   Bending lead(const Touch& touch) override;
   [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override;
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,

@@ -24,10 +24,6 @@ class DampedLaw final : public AxialLaw {
   [[nodiscard]] bool ends_at_ring() const override { return false; }
   [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
                                           double speed) const override;
-  [[nodiscard]] std::optional<Touch> found_anew(const Touch& touch, const contact::Pose& at,
-                                                double speed) const override {
-    return open(touch, at, speed);
-  }
   [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override;
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override;
