@@ -40,11 +40,13 @@ class InclinedLaw final : public ArcLaw {
   [[nodiscard]] std::uint64_t evaluations() const override { return law_->evaluations(); }
   [[nodiscard]] Blade numbers(int blade) const override {
     const auto& law = law_->of(blade);
-    return {.reach = law.geometry().reach,
+    return {.table = table_of(blade),
+            .reach = law.geometry().reach,
             .closing = law.geometry().closing(),
             .length = law.length(),
             .load_unit = law.load_unit(),
-            .strain_unit = law.strain_unit()};
+            .strain_unit = law.strain_unit(),
+            .friction = friction_.friction};
   }
   [[nodiscard]] bool may_slip_back() const override { return may_slip_back_; }
   [[nodiscard]] bool leans() const override { return true; }
@@ -154,8 +156,13 @@ class InclinedLaw final : public ArcLaw {
   }
   [[nodiscard]] bool solve(const Machine& machine, const Closeness& closeness,
                            Interval& interval) const override {
-    return interval.leader().load->table != nullptr ? solve_by_table(machine, closeness, interval)
-                                                    : solver_.solve_inclined(machine, closeness, interval);
+    TipInTime& leader = interval.leader();
+    const blade::BendingTable* const table = leader.load->table;
+    if (table == nullptr) return solver_.solve_inclined(machine, closeness, interval);
+    // As a blade of the paper's law.
+    leader.lean.value.fill(std::sin(0.5 * table->scale()));
+    leader.chart_left.value.fill(leader.start_chart_left);
+    return solver_.solve(machine, closeness, interval);
   }
   [[nodiscard]] Touch touch(const TipStart& tip, const Bending& bending) const override {
     const InclinedLoad& load = load_of(tip.number);
@@ -268,21 +275,6 @@ class InclinedLaw final : public ArcLaw {
   [[nodiscard]] const blade::BendingTable* table_of(int blade) const {
     const blade::ElasticaCurve* const curve = law_->of(blade).curve();
     return curve != nullptr ? &curve->over_asinh() : nullptr;
-  }
-  /// As a blade of the paper's law.
-  [[nodiscard]] bool solve_by_table(const Machine& machine, const Closeness& closeness,
-                                    Interval& interval) const {
-    TipInTime& leader = interval.leader();
-    const Blade* const inclined = leader.blade;
-    Blade axial = *inclined;
-    axial.table = leader.load->table;
-    axial.friction = leader.load->friction.friction;
-    leader.blade = &axial;
-    const bool solved = solver_.solve(machine, closeness, interval);
-    leader.blade = inclined;
-    leader.lean.value.fill(std::sin(0.5 * axial.table->scale()));
-    leader.chart_left.value.fill(leader.start_chart_left);
-    return solved;
   }
   /// p.
   [[nodiscard]] double argument_of(const Touch& touch) const {
