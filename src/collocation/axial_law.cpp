@@ -1,8 +1,6 @@
 #include "collocation/axial_law.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 
 #include "rotor/skimming.hpp"
 

@@ -1,7 +1,6 @@
 #include "collocation/damped_law.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace rubatlas::collocation {
 namespace {

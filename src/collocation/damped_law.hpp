@@ -3,10 +3,8 @@
 /// p does not change, and an arc that it leads is a stretch of time.
 #pragma once
 
-#include <array>
 #include <complex>
 #include <optional>
-#include <vector>
 
 #include "collocation/axial_law.hpp"
 #include "contact/damped_ring.hpp"

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <complex>
-#include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 

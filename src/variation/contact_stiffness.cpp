@@ -5,7 +5,6 @@
 #include <memory>
 #include <unsupported/Eigen/AutoDiff>
 
-#include "settings/effects/list.hpp"
 #include "variation/parts_of_scene.hpp"
 
 namespace rubatlas::variation {
