@@ -143,6 +143,7 @@ class ArcLaw {
   }
 
   contact::Friction friction_;
+  IntervalSolver solver_ = interval_solver();
 };
 
 }  // namespace rubatlas::collocation

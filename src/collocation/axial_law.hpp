@@ -21,10 +21,7 @@ class AxialLaw : public ArcLaw {
   using Blades = std::vector<const contact::ElasticaContact*>;
   /// `blades` outlive it. `max_shortening`: of δ/L.
   AxialLaw(Blades blades, double max_shortening)
-      : ArcLaw(blades.front()->friction()),
-        blades_(std::move(blades)),
-        solver_(interval_solver()),
-        max_shortening_(max_shortening) {}
+      : ArcLaw(blades.front()->friction()), blades_(std::move(blades)), max_shortening_(max_shortening) {}
 
   [[nodiscard]] Blade numbers(int blade) const override;
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return of(blade).geometry(); }
@@ -75,7 +72,6 @@ class AxialLaw : public ArcLaw {
   [[nodiscard]] double gap_measure(const Touch& touch, const contact::Pose& at) const;
 
   Blades blades_;
-  IntervalSolver solver_;
   double max_shortening_;
   int leader_ = 0;
 };

@@ -26,7 +26,6 @@ class InclinedLaw final : public ArcLaw {
   InclinedLaw(const Laws& law, int blade_count, double max_shortening, bool rests_at_once = true)
       : ArcLaw(law.of(0).friction()),
         law_(&law),
-        solver_(interval_solver()),
         max_shortening_(max_shortening),
         may_slip_back_(has_slip_state() && !(rests_at_once && friction_.sticks)) {
     for (int k = 0; k < blade_count; ++k) {
@@ -299,7 +298,6 @@ class InclinedLaw final : public ArcLaw {
   }
 
   const Laws* law_;
-  IntervalSolver solver_;
   double max_shortening_;
   bool may_slip_back_;
   std::vector<InclinedLoad> loads_;  ///< of each blade, as it last began or went on

@@ -22,7 +22,7 @@ class RigidLaw final : public ArcLaw {
   using Laws = contact::UnequalBlades<contact::ElasticRingContact>;
   /// Both outlive it.
   RigidLaw(const Laws& law, const rotor::Machine& machine)
-      : ArcLaw(law.of(0).friction()), law_(&law), machine_(&machine), solver_(interval_solver()) {}
+      : ArcLaw(law.of(0).friction()), law_(&law), machine_(&machine) {}
 
   [[nodiscard]] Blade numbers(int blade) const override {
     const auto& law = law_->of(blade);
@@ -109,7 +109,6 @@ class RigidLaw final : public ArcLaw {
 
   const Laws* law_;
   const rotor::Machine* machine_;
-  IntervalSolver solver_;
 };
 
 }  // namespace rubatlas::collocation
