@@ -55,18 +55,15 @@ class ElasticBladeOnDampedRing {
   }
   /// Load above which a straight blade bends [N]; on the approaching side 0, or Euler's without friction.
   [[nodiscard]] double bending_load(const Pose& at, double slip, double angular_speed) const {
+    if (blade_.starts_unloaded(at, slip))
+      return curve().friction() > 0.0 ? 0.0 : blade::kEulerLoad * blade_.load_unit();
     Pose touching = at;
     touching.gap = 0.0;
-    if (blade_.starts_unloaded(touching, slip))
-      return curve().friction() > 0.0 ? 0.0 : blade::kEulerLoad * blade_.load_unit();
-    const ElasticaContact blade = blade_.in_ring(magnitude(unbent_tip(geometry(), at)));
+    const double yielding = magnitude(unbent_tip(geometry(), at)) - geometry().ring_radius;
     double bending = 0.0;
     TipForce force{};
-    const bool bends = blade.respond(touching, slip, angular_speed, bending, force);
-    evaluations_ += blade.evaluations();
-    return bends ? force.normal : 0.0;
+    return respond(touching, slip, angular_speed, yielding, bending, force) ? force.normal : 0.0;
   }
-
   /// Force of the blade in the ring that yields by y; `at`: its pose there (`geometry_at`). False where the
   /// blade has no equilibrium.
   bool respond(const Pose& at, double slip, double angular_speed, double yielding, double& bending,
