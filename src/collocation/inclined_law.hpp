@@ -27,19 +27,17 @@ class InclinedLaw final : public ArcLaw {
       : ArcLaw(law.of(0).friction()),
         law_(&law),
         max_shortening_(max_shortening),
-        may_slip_back_(has_slip_state() && !(rests_at_once && friction_.sticks)) {
-    for (int k = 0; k < blade_count; ++k) {
-      const auto& blade = law.of(k);
-      loads_.push_back({.along_normal = blade.direction() == contact::LoadDirection::normal,
-                        .friction = blade.friction()});
-    }
-  }
+        may_slip_back_(has_slip_state() && !(rests_at_once && friction_.sticks)),
+        loads_(static_cast<std::size_t>(blade_count),
+               {.along_normal = law.of(0).direction() == contact::LoadDirection::normal,
+                .friction = friction_}) {}
 
   [[nodiscard]] contact::Geometry geometry(int blade) const override { return law_->of(blade).geometry(); }
   [[nodiscard]] std::uint64_t evaluations() const override { return law_->evaluations(); }
   [[nodiscard]] Blade numbers(int blade) const override {
     const auto& law = law_->of(blade);
-    return {.table = table_of(blade),
+    const blade::ElasticaCurve* const curve = law.curve();
+    return {.table = curve != nullptr ? &curve->over_asinh() : nullptr,
             .reach = law.geometry().reach,
             .closing = law.geometry().closing(),
             .length = law.length(),
@@ -81,7 +79,7 @@ class InclinedLaw final : public ArcLaw {
     InclinedLoad& load = loads_[static_cast<std::size_t>(touch.blade)];
     load.rests = touch.slip == 0.0;
     load.side = side(touch);
-    load.table = alone && load.side == touch.slip ? table_of(touch.blade) : nullptr;
+    load.table = alone && load.side == touch.slip ? numbers(touch.blade).table : nullptr;
     load.scale = load.table != nullptr
                      ? load.bending_slope(0.0)
                      : std::max(2.0 * std::abs(lean_of(touch.bend)), InclinedLoad::kLeastScale);
@@ -270,10 +268,6 @@ class InclinedLaw final : public ArcLaw {
 
   [[nodiscard]] const InclinedLoad& load_of(int blade) const {
     return loads_[static_cast<std::size_t>(blade)];
-  }
-  [[nodiscard]] const blade::BendingTable* table_of(int blade) const {
-    const blade::ElasticaCurve* const curve = law_->of(blade).curve();
-    return curve != nullptr ? &curve->over_asinh() : nullptr;
   }
   /// p.
   [[nodiscard]] double argument_of(const Touch& touch) const {

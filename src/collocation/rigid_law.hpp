@@ -91,18 +91,12 @@ class RigidLaw final : public ArcLaw {
   [[nodiscard]] bool resolves_friction(const Interval& interval) const {
     if (has_slip_state()) return true;
     const double width = friction_.regularising_velocity;
-    const auto resolves = [width](double start, const AtNodes& nodes) {
+    return std::ranges::all_of(interval.tips, [width](const TipInTime& tip) {
       constexpr double kSteep = 10.0;  // v/v0 up to which tanh changes
       constexpr double kSeen = 3.0;
-      const auto [least, largest] = std::minmax_element(nodes.value.begin(), nodes.value.end());
-      const double low = std::min(start, *least);
-      const double high = std::max(start, *largest);
+      const auto [low, high] = std::ranges::minmax(at_places(tip.start_slip_velocity, tip.slip_velocity));
       return low > kSteep * width || high < -kSteep * width || high - low < kSeen * width;
-    };
-    const auto resolves_tip = [&](const TipInTime& tip) {
-      return resolves(tip.start_slip_velocity, tip.slip_velocity);
-    };
-    return std::ranges::all_of(interval.tips, resolves_tip);
+    });
   }
 
   static constexpr double kArgument = 1.0;  ///< p: not 0, from where a blade would begin to bend

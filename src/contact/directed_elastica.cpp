@@ -294,7 +294,7 @@ auto DirectedElastica::rest(const Pose& at, double angular_speed, const Bend& ne
   constexpr int kSteps = 8;                        // where Newton's method does not converge at once
   constexpr std::uint64_t kEvaluationsOfHold = 8;  // as a rule, of Newton's method on both unknowns
   if (!(near.amplitude > 0.0)) return std::nullopt;
-  const BladeVector<double> tip = tip_of(at, blade::inclined_equilibrium(near));
+  const BladeVector<double> tip = constraint(at, 0.0, angular_speed, near).tip;
   const double from = std::atan2(tip.across, tip.along);
   const auto place = resting_normal_angle(geometry_, at, angular_speed, from);
   if (!place) return std::nullopt;

@@ -95,8 +95,10 @@ class DirectedElastica : public ElasticBladeInRing {
     Constraint result;
     result.blade = blade::inclined_equilibrium(bend);
     const blade::InclinedPoint& point = result.blade;
-    const BladeVector<double>& tip = result.tip = tip_of(at, point);
-    result.residual = contact_equation(at.gap, unbent_tip(geometry_, at), bent_by(point));
+    const BladeVector<double> unbent = unbent_tip(geometry_, at);
+    const BladeVector<double> bent{length_ * point.shortening.value, length_ * point.deflection.value};
+    const BladeVector<double>& tip = result.tip = unbent - bent;
+    result.residual = contact_equation(at.gap, unbent, bent);
     const LoadAngle load = load_angle(at, slip, angular_speed, tip);
     result.coefficient = load.coefficient;
     result.misdirection = point.load_angle.value - load.angle;
@@ -176,13 +178,6 @@ class DirectedElastica : public ElasticBladeInRing {
   }
 
  private:
-  [[nodiscard]] BladeVector<double> bent_by(const blade::InclinedPoint& point) const {
-    return {length_ * point.shortening.value, length_ * point.deflection.value};
-  }
-  /// Where the tip of a bent blade lies [m].
-  [[nodiscard]] BladeVector<double> tip_of(const Pose& at, const blade::InclinedPoint& point) const {
-    return unbent_tip(geometry_, at) - bent_by(point);
-  }
   [[nodiscard]] bool follows_normal() const { return direction_ == LoadDirection::normal; }
   /// Does a contact remember the side to which its blade is bent?
   [[nodiscard]] bool remembers_side() const {

@@ -139,10 +139,10 @@ void TangentFlow::piece(trajectory::MotionPiece& piece, const std::function<void
     const double longest = longest_flight();
     if (between && left > kMostParts * longest) return loses_track();
     for (; between && left > longest; left -= longest) {
-      fly(longest);
+      tangents_ = after_flight(longest);
       between();
     }
-    fly(left);
+    tangents_ = after_flight(left);
     point_.contacts.clear();
     force_.setZero();
   } else {

@@ -66,7 +66,6 @@ class TangentFlow {
     bool of_slip;
   };
 
-  void fly(double duration) { tangents_ = after_flight(duration); }
   /// Longest flight over which tangents that were orthogonal keep their directions.
   [[nodiscard]] double longest_flight() const;
   template <int kCoordinates>
