@@ -24,7 +24,6 @@
 #include "compared/kind_of_law.hpp"
 #include "contact/tip.hpp"
 #include "modes/law.hpp"
-#include "modes/open_contact.hpp"
 #include "modes/phase.hpp"
 #include "modes/seen_tip.hpp"
 #include "modes/tip_places.hpp"

@@ -20,7 +20,6 @@
 #include "contact/damped_ring.hpp"
 #include "contact/tip.hpp"
 #include "modes/laws.hpp"
-#include "modes/open_contact.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::compared {

@@ -15,7 +15,6 @@
 #include "integrate/controlled_step.hpp"
 #include "integrate/cubic_range.hpp"
 #include "integrate/first_crossing.hpp"
-#include "modes/open_contact.hpp"
 #include "modes/phase.hpp"
 
 namespace rubatlas::compared {

@@ -6,7 +6,6 @@
 
 #include "contact/pose.hpp"
 #include "modes/laws.hpp"
-#include "modes/open_contact.hpp"
 #include "modes/phase.hpp"
 #include "modes/work_meter.hpp"
 

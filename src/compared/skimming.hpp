@@ -9,7 +9,6 @@
 #include "compared/guards.hpp"
 #include "compared/solved.hpp"
 #include "contact/tip.hpp"
-#include "modes/open_contact.hpp"
 #include "modes/skimming_judge.hpp"
 #include "rotor/skimming.hpp"
 

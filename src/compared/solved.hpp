@@ -11,7 +11,6 @@
 #include "compared/contact_mode.hpp"
 #include "compared/guards.hpp"
 #include "contact/tip.hpp"
-#include "modes/open_contact.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::compared {

@@ -6,7 +6,6 @@
 #include "compared/guards.hpp"
 #include "compared/solved.hpp"
 #include "contact/tip.hpp"
-#include "modes/open_contact.hpp"
 #include "modes/rest_of_elastic_blades.hpp"
 
 namespace rubatlas::compared {

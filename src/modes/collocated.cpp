@@ -23,17 +23,18 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
   pending_ = false;
   most_bent_.assign(contacts.size(), std::nullopt);
   const std::uint64_t evaluations = law_->evaluations();
-  touching_.clear();
   at_once_.reset();
   auto refusal = StatusDetail::none;
-  for (std::size_t i = 0; i < contacts.size() && touching_.size() == i; ++i) {
-    const OpenContact& open = contacts[i];
+  std::size_t opened = 0;
+  for (; opened < contacts.size(); ++opened) {
+    const OpenContact& open = contacts[opened];
     const contact::Pose at = arc_.pose(open.blade, {.time = time, .bodies = state, .bending = {}});
     const double speed = blades_->angular_speed(time);
-    if (const auto opened = law_->open(open, at, speed)) {
-      contacts_[i].straight = opened->straight;
-      touching_.push_back(*opened);
-    } else if (law_->is_free_at_once(open, at, speed)) {
+    if (const auto found = law_->open(open, at, speed)) {
+      contacts_[opened] = *found;
+      continue;
+    }
+    if (law_->is_free_at_once(open, at, speed)) {
       at_once_ = {Guard::lift_off, open.blade};
     } else if (open.straight) {
       at_once_ = {Guard::pressed_in, open.blade};
@@ -44,11 +45,12 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
     } else {
       refusal = StatusDetail::no_equilibrium;
     }
+    break;
   }
   meter_->spend(Work::contact,
                 static_cast<std::int64_t>(law_->evaluations() - evaluations) * WorkPrice::kInclinedCurve);
-  if (touching_.size() < contacts.size()) return refusal;
-  arc_.begin(time, state, touching_);
+  if (opened < contacts.size()) return refusal;
+  arc_.begin(time, state, contacts_);
   if (!arc_.starts_within_ring()) return StatusDetail::shaft_at_ring;
   return arc_.shortening_at_start() > max_shortening_ ? StatusDetail::shortening_limit : StatusDetail::none;
 }
@@ -126,19 +128,11 @@ Phase::End Collocated::where_it_ended() {
   if (at_once_) return start_;
   return {arc_.end().time, arc_.end().bodies};
 }
-OpenContact Collocated::contact_in(std::size_t contact, const Point& point) const {
-  OpenContact open = contacts_[contact];
-  const collocation::Touch touch = arc_.touch_of(open.blade, point);
-  open.bending = touch.bending;
-  open.bend = touch.bend;
-  open.yielding = touch.yielding;
-  return open;
-}
 OpenContact Collocated::contact_at_end(std::size_t contact) {
-  return at_once_ ? contacts_[contact] : contact_in(contact, arc_.end());
+  return at_once_ ? contacts_[contact] : arc_.touch_of(blade(contact), arc_.end());
 }
 OpenContact Collocated::contact_at(std::size_t contact, double time) {
-  return contact_in(contact, arc_.point_at(arc_.fraction_at(time)));
+  return arc_.touch_of(blade(contact), arc_.point_at(arc_.fraction_at(time)));
 }
 
 void Collocated::places(const trajectory::SampleTimes& times, int first, std::span<double> x,
@@ -165,7 +159,7 @@ trajectory::ContactForce Collocated::contact_force(std::size_t contact, double t
 }
 trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Point& point,
                                                    const contact::BladeDirection& er) const {
-  const collocation::Touch touch = arc_.touch_of(blade(contact), point);
+  const OpenContact touch = arc_.touch_of(blade(contact), point);
   const contact::Pose at = arc_.pose(touch.blade, point, er);
   const double speed = blades_->angular_speed(point.time);
   const contact::TipForce tip_force = law_->force(touch, at, speed);
@@ -226,13 +220,13 @@ bool Collocated::solved_places(bool with_forces, const trajectory::VisitPlace& v
 bool Collocated::solved_rubs(const trajectory::VisitRub& visit) {
   if (!is_whole() || !arc_.ends_at_last_node()) return false;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    const collocation::Touch touch{blade(i), contacts_[i].slip, 0.0};
-    const collocation::TipInTime& tip = arc_.tip(touch.blade);
+    const OpenContact& open = contacts_[i];
+    const collocation::TipInTime& tip = arc_.tip(open.blade);
     for (std::size_t node = 0; node < collocation::kNodes; ++node) {
       contact::TipForce force{};
       force.normal = tip.normal_force[node];
       force.slip_velocity = tip.slip_velocity[node];
-      const double friction = touch.slip == 0.0 ? 0.0 : law_->friction_coefficient(touch, {}, force);
+      const double friction = open.slip == 0.0 ? 0.0 : law_->friction_coefficient(open, {}, force);
       visit({i, arc_.weight_of_node(node), force.normal, friction * force.normal * force.slip_velocity});
     }
   }
@@ -261,7 +255,7 @@ void Collocated::path(double share, trajectory::PathPoint& point,
   point.contacts.clear();
   if (any_rests()) return;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    const OpenContact open = contact_in(i, there);
+    const OpenContact open = arc_.touch_of(blade(i), there);
     const bool leads = open.blade == arc_.leader();
     const collocation::ArcLaw::Rates rates =
         leads ? law_->rates(there.bending, rate) : collocation::ArcLaw::Rates{};

@@ -14,7 +14,6 @@
 #include "collocation/arc_law.hpp"
 #include "collocation/contact_arc.hpp"
 #include "modes/motion_listener.hpp"
-#include "modes/open_contact.hpp"
 #include "modes/phase.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
@@ -90,7 +89,6 @@ class Collocated final : public Phase, public ContactPhases {
   [[nodiscard]] contact::TipForce force(std::size_t contact, const Point& point) const {
     return arc_.force(arc_.touch_of(blade(contact), point), point);
   }
-  [[nodiscard]] OpenContact contact_in(std::size_t contact, const Point& point) const;
   [[nodiscard]] LargestLoad largest_kept(trajectory::Load load, std::size_t contact, double known);
   [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, const Point& point) const {
     return contact_force(contact, point, arc_.direction(blade(contact), point.time));
@@ -103,11 +101,10 @@ class Collocated final : public Phase, public ContactPhases {
   WorkMeter* meter_;
   double max_shortening_;  ///< of δ/L
   collocation::ContactArc arc_;
-  std::vector<OpenContact> contacts_;
-  std::vector<collocation::Touch> touching_;  ///< where they began
-  End start_{};                               ///< where they began
-  std::optional<ModeEnd> at_once_;            ///< one of the blades does not stand where they begin
-  bool pending_ = false;                      ///< an interval has been made and not been recorded to its end
+  std::vector<OpenContact> contacts_;  ///< where they began
+  End start_{};                        ///< where they began
+  std::optional<ModeEnd> at_once_;     ///< one of the blades does not stand where they begin
+  bool pending_ = false;               ///< an interval has been made and not been recorded to its end
   std::vector<trajectory::ContactForce> forces_at_node_;
   double piece_begin_ = 0.0;
   double piece_end_ = 0.0;

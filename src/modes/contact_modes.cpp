@@ -35,7 +35,7 @@ bool ContactModes::let_go(const rotor::ContactState& state, const std::vector<Op
   if (!tips_at_rest_) return judge_ && judge_->let_go(state, contacts, contact);
   OpenContact there = under_law_of_rest(contact);
   tips_at_rest_->judge.leave_rest(there, state);
-  contact = {contact.blade, there.slip, contact.bending, contact.bend};
+  contact.slip = there.slip;
   return true;
 }
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "modes/laws.hpp"
-#include "modes/open_contact.hpp"
 #include "modes/phase.hpp"
 #include "modes/rest_of_elastic_blades.hpp"
 #include "modes/ring_placer.hpp"

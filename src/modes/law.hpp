@@ -12,16 +12,20 @@
 #include <vector>
 
 #include "collocation/arc_law.hpp"
+#include "collocation/blades_in_contact.hpp"
 #include "contact/directed_elastica.hpp"
 #include "contact/tip.hpp"
 #include "contact/unequal_blades.hpp"
-#include "modes/open_contact.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::modes {
 
 struct ContactSetup;
+
+/// A contact that is open: which blade, its slip direction, and what its blade's equilibrium is found from,
+/// all 0 where that is not known.
+using OpenContact = collocation::Touch;
 
 /// What has become of a contact: it stands in equilibrium, it is free, or neither (MODEL 5).
 enum class Standing : std::uint8_t { stands, free, lost };

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "ending/status.hpp"
+#include "modes/law.hpp"
 #include "modes/motion_listener.hpp"
-#include "modes/open_contact.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
@@ -73,8 +73,6 @@ class ContactPhases {
   /// Calls `use` with each phase that has been asked for.
   virtual void each(const std::function<void(const Phase&)>& use) const = 0;
 };
-
-class Law;
 
 /// What bounds a mode in contact and how accurate it is.
 struct ContactLimits {

@@ -17,7 +17,6 @@
 
 #include "contact/directed_elastica.hpp"
 #include "modes/law.hpp"
-#include "modes/open_contact.hpp"
 #include "modes/tip_places.hpp"
 #include "rotor/bodies.hpp"
 

@@ -17,7 +17,6 @@
 #include "contact/sticking.hpp"
 #include "contact/tip.hpp"
 #include "modes/law.hpp"
-#include "modes/open_contact.hpp"
 #include "modes/tip_places.hpp"
 #include "rotor/bodies.hpp"
 

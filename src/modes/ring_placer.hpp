@@ -4,7 +4,6 @@
 #include <functional>
 #include <vector>
 
-#include "modes/open_contact.hpp"
 #include "modes/tip_places.hpp"
 #include "rotor/bodies.hpp"
 

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "contact/tip.hpp"
-#include "modes/open_contact.hpp"
 #include "modes/tip_places.hpp"
 #include "rotor/bodies.hpp"
 

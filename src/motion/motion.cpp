@@ -27,7 +27,8 @@ Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Se
       limits_(settings.limits),
       modes_(machine_, std::move(law), limits_, meter_, settings.make_phases),
       flight_(machine_),
-      search_(flight_, geometries(), meter_) {
+      search_(flight_, geometries(), meter_),
+      reversals_(static_cast<std::size_t>(machine_.blades.count())) {
   contacts_.reserve(static_cast<std::size_t>(machine_.blades.count()));
 }
 
@@ -56,6 +57,7 @@ ending::StatusDetail Motion::take_over(PointMotion& before) {
   state_ = other.state_;
   meter_ = other.meter_;
   work_ = other.work();
+  reversals_ = other.reversals_;
   constexpr int kNone = -1;
   return find_contacts(other.contacts_now(), kNone) ? ending::StatusDetail::none
                                                     : ending::StatusDetail::no_equilibrium;
@@ -153,12 +155,7 @@ modes::ModeEnd Motion::touch(double period, modes::MotionListener& listener) {
   const modes::Phase::End full = phase_->where_it_ended();
   state_ = full.state;
   time_ = full.time;
-  for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    const modes::OpenContact there = phase_->contact_at_end(i);
-    contacts_[i].bending = there.bending;
-    contacts_[i].bend = there.bend;
-    contacts_[i].yielding = there.yielding;
-  }
+  for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i] = phase_->contact_at_end(i);
   if (under_law_of_rest_) {
     // Tips that slip beside a tip at rest go on under their own law, which finds their bending anew. The
     // reset does this for the blade of the event.
@@ -175,10 +172,7 @@ ending::StatusDetail Motion::finish_revolution(double period) {
   if (phase_ == nullptr) undecided_ = true;
   ++work_.revolutions;
   time_ -= period;  // exactly 0
-  for (modes::OpenContact& open : contacts_) {
-    open.reversed -= period;
-    open.reversed_before -= period;
-  }
+  for (Reversals& reversals : reversals_) reversals = {reversals.last - period, reversals.before - period};
   return state_.isFinite().all() ? ending::StatusDetail::none : ending::StatusDetail::beyond_precision;
 }
 
@@ -231,6 +225,7 @@ bool Motion::open(int blade, const modes::TipPlace& at) {
     contact.slip = 0.0;
   if (!law().open(at, contact)) return false;
   contacts_.push_back(contact);
+  reversals(blade) = {};
   return true;
 }
 
@@ -261,9 +256,10 @@ ending::StatusDetail Motion::settle_others(int blade, modes::MotionListener& lis
 }
 
 /// How long the last two reversals of a tip and this one took [τ].
-double Motion::reversal_cycle(modes::OpenContact& contact) const {
-  const double cycle = time_ - contact.reversed_before;
-  contact.reversed_before = std::exchange(contact.reversed, time_);
+double Motion::reversal_cycle(int blade) {
+  auto& [last, before] = reversals(blade);
+  const double cycle = time_ - before;
+  before = std::exchange(last, time_);
   return cycle;
 }
 
@@ -337,7 +333,7 @@ ending::StatusDetail Motion::snap(Contact contact, modes::MotionListener& listen
 ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& listener) {
   if (!modes_.let_go(unbent(), contacts_, *contact)) return ending::StatusDetail::slip_undecided;
   if (contact->slip == 0.0) {  // it has been let go a little early, and rests on
-    const bool has_moved = reversal_cycle(*contact) > 0.0;
+    const bool has_moved = reversal_cycle(contact->blade) > 0.0;
     return has_moved ? ending::StatusDetail::none : ending::StatusDetail::slip_undecided;
   }
   const modes::TipPlace at = place(contact->blade);
@@ -352,7 +348,7 @@ ending::StatusDetail Motion::come_loose(Contact contact, modes::MotionListener& 
 ending::StatusDetail Motion::reverse_slip(Contact contact, modes::MotionListener& listener) {
   ++work_.slip_reversals;
   ending::StatusDetail settled = ending::StatusDetail::none;
-  const double cycle = reversal_cycle(*contact);
+  const double cycle = reversal_cycle(contact->blade);
   if (modes::RestJudge* judge = modes_.rest_judge()) {
     // Nothing moves: it neither rests nor slips.
     if (!(cycle > 0.0)) return ending::StatusDetail::slip_undecided;
@@ -363,6 +359,7 @@ ending::StatusDetail Motion::reverse_slip(Contact contact, modes::MotionListener
     if (accumulated && !law().knows_rest()) return ending::StatusDetail::slip_undecided;
     if (accumulated && modes_.comes_to_rest(unbent(), *contact)) {
       ++work_.slip_accumulations;
+      reversals(contact->blade) = {};
     } else {
       contact->slip = -contact->slip;
       const modes::TipPlace at = place(contact->blade);

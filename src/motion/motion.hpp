@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -66,7 +67,13 @@ class Motion final : public PointMotion {
   bool keep(modes::OpenContact contact, const modes::TipPlace& at);
   bool place_ring();
   ending::StatusDetail settle_others(int blade, modes::MotionListener& listener);
-  double reversal_cycle(modes::OpenContact& contact) const;
+  /// τ of the last slip reversal of a tip since it has touched down, and of the one before.
+  struct Reversals {
+    double last = -std::numeric_limits<double>::infinity();
+    double before = -std::numeric_limits<double>::infinity();
+  };
+  Reversals& reversals(int blade) { return reversals_[static_cast<std::size_t>(blade)]; }
+  double reversal_cycle(int blade);
 
   // Resets.
   void tell(modes::MotionListener& listener, modes::Guard guard, int blade, double slip) const;
@@ -84,6 +91,7 @@ class Motion final : public PointMotion {
   modes::Flight flight_;
   modes::TouchdownSearch search_;
   std::vector<modes::OpenContact> contacts_;
+  std::vector<Reversals> reversals_;  ///< of each blade
   rotor::ShaftAndRing state_ = rotor::ShaftAndRing::Zero();
   double time_ = 0.0;
   WorkCounts work_;
