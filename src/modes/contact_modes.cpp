@@ -33,23 +33,16 @@ std::int64_t ContactModes::price_of_searches() {
 bool ContactModes::let_go(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
                           OpenContact& contact) {
   if (!tips_at_rest_) return judge_ && judge_->let_go(state, contacts, contact);
-  OpenContact there = under_law_of_rest(contact);
-  tips_at_rest_->judge.leave_rest(there, state);
-  contact.slip = there.slip;
+  tips_at_rest_->judge.leave_rest(contact, state);
   return true;
 }
 
 bool ContactModes::comes_to_rest(const rotor::ContactState& state, OpenContact& contact) const {
   if (!tips_at_rest_) return false;
-  OpenContact there = under_law_of_rest(contact);
+  OpenContact there = contact;
   if (!tips_at_rest_->judge.come_to_rest(there, state)) return false;
   contact = there;
   return true;
-}
-
-OpenContact ContactModes::under_law_of_rest(OpenContact contact) const {
-  if (law_->bends_in_u() && contact.slip != 0.0) contact.bend = {};
-  return contact;
 }
 
 void ContactModes::set_out_from_rest(rotor::ShaftAndRing& state, const TipPlace& at, double time,
@@ -64,11 +57,6 @@ void ContactModes::set_out_from_rest(rotor::ShaftAndRing& state, const TipPlace&
       -contact::on_rotor(force, er) / (force.normal * std::complex<double>(coefficient, -1.0));
   state[2] -= force.slip_velocity * tangent.real();
   state[3] -= force.slip_velocity * tangent.imag();
-}
-
-void ContactModes::leave_law_of_rest(OpenContact& contact) const {
-  if (contact.slip == 0.0) contact.slip = std::copysign(1.0, contact.bend.modulus);
-  if (law_->bends_in_u()) contact.bending = 0.0;
 }
 
 }  // namespace rubatlas::modes

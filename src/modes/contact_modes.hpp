@@ -3,6 +3,7 @@
 /// A motion executes modes and resets and does not know their equations.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -66,15 +67,16 @@ class ContactModes : public TipPlaces {
   /// The limit of slip reversals that accumulate: the tip comes to rest where friction can hold it. False,
   /// and nothing changed, where friction cannot hold it yet.
   bool comes_to_rest(const rotor::ContactState& state, OpenContact& contact) const;
-  /// A contact in the unknowns of the law of tips at rest.
-  [[nodiscard]] OpenContact under_law_of_rest(OpenContact contact) const;
   /// A tip that has come loose and slips against s, as its velocity errs by the tolerance, would slip back to
   /// where it was: puts the shaft's velocity where v = 0.
   void set_out_from_rest(rotor::ShaftAndRing& state, const TipPlace& at, double time,
                          OpenContact contact) const;
   /// A contact under the law of tips at rest, as another motion takes it over: a tip at rest comes loose
   /// where the machine changes, and s becomes the side to which its blade is bent.
-  void leave_law_of_rest(OpenContact& contact) const;
+  static void leave_law_of_rest(OpenContact& contact) {
+    if (contact.slip == 0.0) contact.slip = std::copysign(1.0, contact.bend.modulus);
+    contact.bending = 0.0;
+  }
 
  private:
   /// Tips that always slip, and come to rest where their slip reversals accumulate, under another law.

@@ -127,8 +127,6 @@ class Law {
   [[nodiscard]] virtual std::optional<contact::DirectedElastica> law_of_rest(int /*blade*/) const {
     return std::nullopt;
   }
-  /// While a tip slips its blade has the unknown u, and κ and φ of that law are to be found anew.
-  [[nodiscard]] virtual bool bends_in_u() const { return false; }
 
  protected:
   Law(const Law&) = default;

@@ -20,9 +20,12 @@ using collocation::ArcLaw;
 
 namespace {
 
+/// A blade that slips is bent by u alone: κ and φ of its tip at rest are past.
 bool takes(const std::optional<double>& root, OpenContact& contact) {
-  if (root) contact.bending = *root;
-  return root.has_value();
+  if (!root) return false;
+  contact.bending = *root;
+  contact.bend = {};
+  return true;
 }
 
 }  // namespace
@@ -149,6 +152,7 @@ Standing LawOfAxialLoads::snap(const TipPlace& at, OpenContact& contact) const {
 
 bool LawOfAxialLoads::bend_anew(const TipPlace& at, OpenContact& contact) const {
   contact.bending = 0.0;
+  contact.bend = {};
   return open(at, contact);
 }
 

@@ -107,7 +107,6 @@ class LawOfAxialLoads final : public LawOfBlades<LawOfAxialLoads, contact::Elast
   [[nodiscard]] bool straightens(const TipPlace& at, OpenContact& contact) const override;
 
   [[nodiscard]] std::optional<contact::DirectedElastica> law_of_rest(int blade) const override;
-  [[nodiscard]] bool bends_in_u() const override { return true; }
 };
 
 }  // namespace rubatlas::modes

@@ -184,9 +184,6 @@ ending::StatusDetail Motion::begin_mode() {
   const bool rests = any_rests();
   if (!rests && begins_to_skim()) contacts_.front().skims = true;
   under_law_of_rest_ = rests && modes_.has_law_of_rest();
-  if (under_law_of_rest_) {
-    for (modes::OpenContact& contact : contacts_) contact = modes_.under_law_of_rest(contact);
-  }
   phase_ = &modes_.phases(under_law_of_rest_).of(contacts_);
   return phase_->start(time_, state_, contacts_);
 }
