@@ -111,13 +111,6 @@ class TouchdownSearch {
     std::optional<trajectory::Pass> pass;
   };
   void take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps, Nearest& nearest) const;
-  /// Two times between which a tip's radius has its one maximum, and about when.
-  struct TopBetween {
-    double from;
-    double to;
-    double guess;
-  };
-  void take_top(int blade, TopBetween between, Nearest& nearest) const;
   void take(int blade, double time, Nearest& nearest) const;
 
   [[nodiscard]] double clear_step(const contact::Geometry& geometry, const contact::BladeDirection& er,

@@ -5,24 +5,9 @@
 
 #include "integrate/cubic_range.hpp"
 #include "integrate/first_crossing.hpp"
-#include "integrate/newton_between.hpp"
 #include "modes/touchdown_search.hpp"
-#include "rotor/skimming.hpp"
 
 namespace rubatlas::modes {
-namespace {
-
-/// Share of the time h between two values with their slopes, the first of which rises and the second falls,
-/// where the cubic through them is largest.
-double top_of_cubic(const integrate::ValueAndSlope& first, const integrate::ValueAndSlope& second, double h) {
-  const double mean = (second.value - first.value) / h;
-  const double square = 3.0 * (first.slope + second.slope - 2.0 * mean);
-  const double linear = 6.0 * mean - 4.0 * first.slope - 2.0 * second.slope;
-  return 2.0 * first.slope / (std::sqrt(linear * linear - 4.0 * square * first.slope) - linear);
-}
-
-}  // namespace
-
 std::optional<trajectory::Pass> TouchdownSearch::nearest_pass(double end, double known) {
   keeps_rows_ = true;
   double begin = flight_->start_time();
@@ -97,46 +82,27 @@ void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::
     const double from = row.begin + i * h;
     const double miss = std::min(nearest.distance, radius);
     const double nearer = miss * (miss - 2.0 * radius);  // g of a tip that passes nearer than that
-    if (rate_before > 0.0 && rate <= 0.0) {
-      // Tangents bound a maximum that lies between two times.
-      if (std::max(gap_before + h * rate_before, gap - h * rate) > nearer) {
-        const double guess = from + h * top_of_cubic({gap_before, rate_before}, {gap, rate}, h);
-        take_top(blade, {from, from + h, guess}, nearest);
-      }
-    } else if (integrate::cubic_may_peak(h * rate_before, gap - gap_before, h * rate,
-                                         roundings_[static_cast<std::size_t>(blade)]) &&
-               integrate::cubic_range(gap_before, h * rate_before, gap, h * rate).greatest > nearer) {
-      // Fast decay after a contact may turn a tip round twice between two times.
-      const auto rate_at = [&](double time) { return tip(blade, time).rate; };
+    // Tangents bound a maximum between two times whose rates tell it. Fast decay after a contact may turn a
+    // tip round twice between two times.
+    const bool may_pass_nearer =
+        rate_before > 0.0 && rate <= 0.0
+            ? std::max(gap_before + h * rate_before, gap - h * rate) > nearer
+            : integrate::cubic_may_peak(h * rate_before, gap - gap_before, h * rate,
+                                        roundings_[static_cast<std::size_t>(blade)]) &&
+                  integrate::cubic_range(gap_before, h * rate_before, gap, h * rate).greatest > nearer;
+    if (may_pass_nearer) {
+      const auto rate_at = [&](double time) {
+        return contact::gap_rate(geometry(blade), pose(blade, time, flight_->state(time)),
+                                 machine_->blades.angular_speed(time));
+      };
       const double to = std::min(from + h, nearest.end);
-      if (const auto top = integrate::first_top(rate_at, from, to, rate_at(from), rate_at(to)))
+      const double rate_there = to < from + h ? rate_at(to) : rate;
+      if (const auto top = integrate::first_top(rate_at, from, to, rate_before, rate_there))
         take(blade, *top, nearest);
     }
     gap_before = gap;
     rate_before = rate;
   }
-}
-
-/// Looks at a tip at the top between two times.
-void TouchdownSearch::take_top(int blade, TopBetween between, Nearest& nearest) const {
-  const rotor::BladeSet& blades = machine_->blades;
-  const auto rate = [&](double time) {
-    const rotor::ShaftAndRing bodies = flight_->state(time);
-    const contact::BladeDirection er = blades.direction(blade, blades.first(time));
-    const contact::Pose there = pose(blade, time, bodies);
-    return integrate::ValueAndSlope{contact::gap_rate(geometry(blade), there, blades.angular_speed(time)),
-                                    rotor::free_gap_curvature(*machine_, geometry(blade), er, there,
-                                                              rotor::full_state(bodies, time, 0.0), 0.0)};
-  };
-  if (nearest.end < between.to) {
-    if (!(rate(nearest.end).value < 0.0)) return;
-    between.to = nearest.end;
-    between.guess = std::min(between.guess, 0.5 * (between.from + nearest.end));
-  }
-  constexpr double kClosestTop = 1e-6;  // of the time between: the error left is of the second order of that
-  const double time = integrate::newton_between(rate, between.from, between.to, between.guess, false,
-                                                kClosestTop * (between.to - between.from));
-  take(blade, time, nearest);
 }
 
 /// Takes the pass of a tip whose radius is largest at that time, if it is the nearest.
