@@ -10,9 +10,7 @@
 namespace rubatlas::modes {
 
 std::unique_ptr<ContactPhases> phases_on_arcs(const ContactSetup& setup) {
-  return std::make_unique<Collocated>(*setup.machine,
-                                      setup.law->arcs(*setup.machine, setup.limits.max_shortening),
-                                      setup.limits, *setup.meter);
+  return std::make_unique<Collocated>(setup, setup.law->arcs(*setup.machine, setup.limits.max_shortening));
 }
 
 ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& state,
@@ -29,7 +27,7 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
   for (; opened < contacts.size(); ++opened) {
     const OpenContact& open = contacts[opened];
     const contact::Pose at = arc_.pose(open.blade, {.time = time, .bodies = state, .bending = {}});
-    const double speed = blades_->angular_speed(time);
+    const double speed = angular_speed(time);
     if (const auto found = law_->open(open, at, speed)) {
       contacts_[opened] = *found;
       continue;
@@ -47,12 +45,13 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
     }
     break;
   }
-  meter_->spend(Work::contact,
-                static_cast<std::int64_t>(law_->evaluations() - evaluations) * WorkPrice::kInclinedCurve);
+  setup_.meter->spend(Work::contact, static_cast<std::int64_t>(law_->evaluations() - evaluations) *
+                                         WorkPrice::kInclinedCurve);
   if (opened < contacts.size()) return refusal;
   arc_.begin(time, state, contacts_);
   if (!arc_.starts_within_ring()) return StatusDetail::shaft_at_ring;
-  return arc_.shortening_at_start() > max_shortening_ ? StatusDetail::shortening_limit : StatusDetail::none;
+  return arc_.shortening_at_start() > setup_.limits.max_shortening ? StatusDetail::shortening_limit
+                                                                   : StatusDetail::none;
 }
 
 ModeEnd Collocated::advance(double until, MotionListener& listener) {
@@ -65,7 +64,7 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
       piece_stretch_.reset();
       most_bent_.assign(contacts_.size(), std::nullopt);
       if (piece_end_ > piece_begin_) listener.piece(*this);
-      if (meter_->ended()) return {Guard::failed, -1, meter_->why()};
+      if (setup_.meter->ended()) return {Guard::failed, -1, setup_.meter->why()};
       piece_begin_ = piece_end_;
       if (beyond) return {Guard::horizon};
       pending_ = false;
@@ -73,13 +72,14 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
     }
     const std::int64_t price =
         WorkPrice::kAttempt + static_cast<std::int64_t>(contacts_.size()) * WorkPrice::kForce;
-    if (!meter_->spend(Work::contact, price)) return {Guard::failed, -1, meter_->why()};
+    if (!setup_.meter->spend(Work::contact, price)) return {Guard::failed, -1, setup_.meter->why()};
     const std::uint64_t rejected = arc_.rejected();
     const auto outcome = arc_.make();
     // The price of an interval has a few that are too long in it.
     constexpr std::uint64_t kFew = 8;
     const std::uint64_t too_long = arc_.rejected() - rejected;
-    if (too_long > kFew) meter_->spend(Work::contact, price * static_cast<std::int64_t>(too_long - kFew));
+    if (too_long > kFew)
+      setup_.meter->spend(Work::contact, price * static_cast<std::int64_t>(too_long - kFew));
     if (outcome == collocation::ContactArc::Outcome::gives_up)
       return {Guard::failed, -1, ending::StatusDetail::step_too_short};
     pending_ = true;
@@ -161,13 +161,13 @@ trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Po
                                                    const contact::BladeDirection& er) const {
   const OpenContact touch = arc_.touch_of(blade(contact), point);
   const contact::Pose at = arc_.pose(touch.blade, point, er);
-  const double speed = blades_->angular_speed(point.time);
+  const double speed = angular_speed(point.time);
   const contact::TipForce tip_force = law_->force(touch, at, speed);
   return modes::contact_force(tip_force, {touch.slip, law_->friction_coefficient(touch, at, tip_force)}, er,
                               at, speed);
 }
 trajectory::Tip Collocated::tip(int blade, const Point& point) const {
-  return tip_of(law_->geometry(blade), arc_.pose(blade, point), blades_->angular_speed(point.time));
+  return tip_of(law_->geometry(blade), arc_.pose(blade, point), angular_speed(point.time));
 }
 trajectory::Tip Collocated::tip(int blade, double time) {
   return tip(blade, arc_.solved_at(time));

@@ -25,15 +25,11 @@ namespace rubatlas::modes {
 /// One phase for all contacts of a motion.
 class Collocated final : public Phase, public ContactPhases {
  public:
-  /// The machine and the meter outlive the mode.
-  Collocated(const rotor::Machine& machine, std::unique_ptr<collocation::ArcLaw> law,
-             const ContactLimits& limits, WorkMeter& meter)
-      : law_(std::move(law)),
-        blades_(&machine.blades),
-        meter_(&meter),
-        max_shortening_(limits.max_shortening),
-        arc_(machine, *law_, limits.tolerance),
-        most_bent_of_blades_(static_cast<std::size_t>(blades_->count())) {}
+  Collocated(const ContactSetup& setup, std::unique_ptr<collocation::ArcLaw> law)
+      : setup_(setup),
+        law_(std::move(law)),
+        arc_(*setup.machine, *law_, setup.limits.tolerance),
+        most_bent_of_blades_(static_cast<std::size_t>(setup.machine->blades.count())) {}
 
   ending::StatusDetail start(double time, const rotor::ShaftAndRing& state,
                              const std::vector<OpenContact>& contacts) override;
@@ -96,10 +92,10 @@ class Collocated final : public Phase, public ContactPhases {
   [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, const Point& point,
                                                        const contact::BladeDirection& er) const;
 
+  [[nodiscard]] double angular_speed(double time) const { return setup_.machine->blades.angular_speed(time); }
+
+  ContactSetup setup_;
   std::unique_ptr<collocation::ArcLaw> law_;
-  const rotor::BladeSet* blades_;
-  WorkMeter* meter_;
-  double max_shortening_;  ///< of δ/L
   collocation::ContactArc arc_;
   std::vector<OpenContact> contacts_;  ///< where they began
   End start_{};                        ///< where they began

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -44,11 +43,9 @@ class RestJudge {
   RestJudge& operator=(const RestJudge&) = delete;
   virtual ~RestJudge() = default;
 
-  using Tell = std::function<void(const OpenContact&)>;
-  /// Frees the tips at rest that friction cannot hold in a state, and calls `tell` for each of them. False
-  /// where a tip is left neither rest nor a direction of slip (MODEL 5).
-  virtual bool settle(const rotor::ContactState& state, std::vector<OpenContact>& contacts,
-                      const Tell& tell) = 0;
+  /// Frees the tips at rest that friction cannot hold in a state. False where a tip is left neither rest nor
+  /// a direction of slip (MODEL 5).
+  virtual bool settle(const rotor::ContactState& state, std::vector<OpenContact>& contacts) = 0;
   // Of one of the contacts in a state:
   /// The slip velocity of its tip has come to zero: it rests or slips. False where it can do neither.
   virtual bool arrest(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,

@@ -16,12 +16,10 @@ const contact::DirectedElastica& RestOfElasticBlades::of(int blade) const {
   return static_cast<const LawOfInclinedLoads&>(*law_).of(blade);
 }
 
-bool RestOfElasticBlades::settle(const State& state, std::vector<OpenContact>& contacts, const Tell& tell) {
+bool RestOfElasticBlades::settle(const State& state, std::vector<OpenContact>& contacts) {
   for (OpenContact& contact : contacts) {
     if (contact.slip == 0.0) {
-      if (rests(contact, state)) continue;
-      if (!let_go(state, contacts, contact)) return false;
-      tell(contact);
+      if (!rests(contact, state) && !let_go(state, contacts, contact)) return false;
     } else if (may_open_at_rest(contact, state)) {
       OpenContact bent = contact;
       if (forward(bent, contact.slip, state) >= -slip_rounding(state)) continue;

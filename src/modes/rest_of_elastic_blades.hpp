@@ -29,7 +29,7 @@ class RestOfElasticBlades : public RestJudge, public TipPlaces {
   using TipPlaces::TipPlaces;
 
   /// A contact that is new slips, or rests, as Coulomb's inclusion has it there.
-  bool settle(const State& state, std::vector<OpenContact>& contacts, const Tell& tell) override;
+  bool settle(const State& state, std::vector<OpenContact>& contacts) override;
   /// A slipping tip whose slip velocity has come to zero, or is against its direction: rests where it can,
   /// and slips the other way where it cannot.
   bool arrest(const State& state, const std::vector<OpenContact>& contacts, OpenContact& contact) override;

@@ -7,7 +7,7 @@
 
 namespace rubatlas::modes {
 
-bool RestOfRigidBlades::settle(const State& state, std::vector<OpenContact>& contacts, const Tell& tell) {
+bool RestOfRigidBlades::settle(const State& state, std::vector<OpenContact>& contacts) {
   std::size_t count = 0;
   for (OpenContact& contact : contacts) {
     if (contact.slip == 0.0 && ++count > contact::kMostAtRest) contact.slip = 1.0;
@@ -22,9 +22,7 @@ bool RestOfRigidBlades::settle(const State& state, std::vector<OpenContact>& con
       if (loosest == nullptr || tip.excess() > loosest->excess()) loosest = &tip;
     }
     if (loosest == nullptr) return true;
-    OpenContact& freed = contacts[loosest->contact];
-    freed.slip = loosest->pull >= 0.0 ? 1.0 : -1.0;
-    tell(freed);
+    contacts[loosest->contact].slip = loosest->pull >= 0.0 ? 1.0 : -1.0;
   }
 }
 
@@ -51,14 +49,13 @@ RestOfRigidBlades::AtRest RestOfRigidBlades::at_rest(Contacts contacts, std::siz
                                                      const Slipping& at) const {
   const contact::ElasticRingContact& law =
       static_cast<const LawOfRigidBlades&>(*law_).of(contacts[contact].blade);
-  AtRest tip;
-  tip.contact = contact;
-  tip.direction = {at.direction.cosine, at.direction.sine};
-  tip.tangent = tip.direction * contact::tangent(law.geometry(), at.pose);
-  tip.pose = at.pose;
-  tip.load = at.force.normal * rotor().force_unit;
-  tip.largest = contact::largest_at_rest(law.friction());
-  return tip;
+  const std::complex<double> er(at.direction.cosine, at.direction.sine);
+  return {.contact = contact,
+          .direction = er,
+          .tangent = er * contact::tangent(law.geometry(), at.pose),
+          .pose = at.pose,
+          .load = at.force.normal * rotor().force_unit,
+          .largest = contact::largest_at_rest(law.friction())};
 }
 
 RestOfRigidBlades::Balance RestOfRigidBlades::balance(const State& state, Contacts contacts) const {

@@ -30,7 +30,7 @@ class RestOfRigidBlades : public RestJudge, public TipPlaces {
 
   /// Of the contacts with s = 0 in a state, those stay at rest that friction can hold; the others get the
   /// direction in which they are pulled. A rigid tip can always do either: true.
-  bool settle(const State& state, std::vector<OpenContact>& contacts, const Tell& tell) override;
+  bool settle(const State& state, std::vector<OpenContact>& contacts) override;
   /// Where two tips rest already, a third passes through.
   bool arrest(const State& state, const std::vector<OpenContact>& contacts, OpenContact& contact) override;
   /// It slips the way it is pulled.

@@ -47,8 +47,7 @@ ending::StatusDetail Motion::start(const PointStart& start) {
   if (!place_ring()) return ending::StatusDetail::ring_unbalanced;
   if (!flight_.resolves(machine_.constants.period())) return ending::StatusDetail::beyond_precision;
   modes::RestJudge* judge = modes_.rest_judge();
-  if (judge != nullptr && !judge->settle(unbent(), contacts_, [](const modes::OpenContact&) {}))
-    return ending::StatusDetail::slip_undecided;
+  if (judge != nullptr && !judge->settle(unbent(), contacts_)) return ending::StatusDetail::slip_undecided;
   return state_.isFinite().all() ? ending::StatusDetail::none : ending::StatusDetail::beyond_precision;
 }
 
@@ -246,10 +245,14 @@ bool Motion::place_ring() {
 ending::StatusDetail Motion::settle_others(int blade, modes::MotionListener& listener) {
   modes::RestJudge* judge = modes_.rest_judge();
   if (judge == nullptr || !any_rests()) return ending::StatusDetail::none;
-  const bool settled = judge->settle(unbent(), contacts_, [&](const modes::OpenContact& other) {
-    if (other.blade != blade) tell(listener, modes::Guard::comes_loose, other.blade, other.slip);
-  });
-  return settled ? ending::StatusDetail::none : ending::StatusDetail::slip_undecided;
+  const std::vector<modes::OpenContact> before = contacts_;
+  if (!judge->settle(unbent(), contacts_)) return ending::StatusDetail::slip_undecided;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const modes::OpenContact& open = contacts_[i];
+    if (before[i].slip == 0.0 && open.slip != 0.0 && open.blade != blade)
+      tell(listener, modes::Guard::comes_loose, open.blade, open.slip);
+  }
+  return ending::StatusDetail::none;
 }
 
 /// How long the last two reversals of a tip and this one took [τ].

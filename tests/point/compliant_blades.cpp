@@ -70,8 +70,9 @@ int expect_both_solvers_agree(const ElasticaContact& blade, double speed_ratio, 
   const rotor::Machine machine = machine_of(rotor_at(speed_ratio), rotor::BladeSet(blades, speed_ratio));
   modes::WorkMeter meter;
   const modes::ContactLimits limits{1e-13, 0.5};
-  modes::Collocated collocated(machine, law->arcs(machine, limits.max_shortening), limits, meter);
-  const auto stepped = assembly::phases_in_steps({&machine, law.get(), limits, &meter});
+  const modes::ContactSetup setup{&machine, law.get(), limits, &meter};
+  modes::Collocated collocated(setup, law->arcs(machine, limits.max_shortening));
+  const auto stepped = assembly::phases_in_steps(setup);
   int compared = 0;
   for (const modes::Event& event : motion.witness.events) {
     if (event.kind != modes::Guard::touch_down) continue;
