@@ -76,7 +76,7 @@ ending::StatusDetail Motion::revolution(modes::MotionListener& listener, const m
                                         int /*number*/) {
   const double period = machine_.constants.period();
   meter_.begin_revolution(go_on);
-  while (meter_.spend(modes::Work::events, price_of_last_event())) {
+  while (meter_.spend(modes::Work::events, modes::WorkPrice::kEvent + modes_.price_of_searches())) {
     if (undecided_) {
       if (const auto why = begin_mode(); why != ending::StatusDetail::none) return why;
     }
@@ -112,12 +112,6 @@ std::vector<contact::Geometry> Motion::geometries() const {
   result.reserve(static_cast<std::size_t>(machine_.blades.count()));
   for (int k = 0; k < machine_.blades.count(); ++k) result.push_back(law().geometry(k));
   return result;
-}
-
-/// Where the search for new equilibria is long, it is included.
-std::int64_t Motion::price_of_last_event() {
-  const std::int64_t searches = modes_.price_of_searches();
-  return modes::WorkPrice::kEvent + (contacts_.empty() ? 0 : searches);
 }
 
 // Modes.

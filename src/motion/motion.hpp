@@ -44,7 +44,6 @@ class Motion final : public PointMotion {
   using Contact = std::vector<modes::OpenContact>::iterator;
 
   [[nodiscard]] std::vector<contact::Geometry> geometries() const;
-  [[nodiscard]] std::int64_t price_of_last_event();
   /// Contacts as they are at the end of a revolution.
   [[nodiscard]] std::vector<modes::OpenContact> contacts_now();
 
