@@ -253,7 +253,7 @@ void Collocated::path(double share, trajectory::PathPoint& point,
     for (std::size_t i = 0; i < contacts_.size(); ++i) forces->push_back(contact_force(i, there));
   }
   point.contacts.clear();
-  if (any_rests()) return;
+  if (any_rests(contacts_)) return;  // whose bends are no coordinates of a path
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const OpenContact open = arc_.touch_of(blade(i), there);
     const bool leads = open.blade == arc_.leader();

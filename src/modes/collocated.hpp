@@ -2,7 +2,6 @@
 /// skim. Where no interval can be made, the point ends as `step_too_short`.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -75,8 +74,6 @@ class Collocated final : public Phase, public ContactPhases {
  private:
   using Point = collocation::ContactArc::Point;
   [[nodiscard]] ModeEnd end_of_arc() const;
-  /// The bends of a tip at rest are no coordinates of a path.
-  [[nodiscard]] bool any_rests() const { return std::ranges::count(contacts_, 0.0, &OpenContact::slip) > 0; }
   [[nodiscard]] trajectory::Tip tip(int blade, const Point& point) const;
   /// The piece is an interval, and not a part of one.
   [[nodiscard]] bool is_whole() const {

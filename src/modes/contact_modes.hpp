@@ -32,11 +32,12 @@ class ContactModes : public TipPlaces {
 
   [[nodiscard]] const Law& law() const { return *law_; }
 
-  /// Under the law of tips that slip, or under that of tips at rest.
-  [[nodiscard]] ContactPhases& phases(bool under_law_of_rest) {
-    std::unique_ptr<ContactPhases>& phases = under_law_of_rest ? resting_ : phases_;
-    if (phases == nullptr) phases = make_phases_(under_law_of_rest ? tips_at_rest_->setup : setup_);
-    return *phases;
+  /// The one for such contacts.
+  [[nodiscard]] Phase& phase_of(const std::vector<OpenContact>& contacts) {
+    const bool rests = under_law_of_rest(contacts);
+    std::unique_ptr<ContactPhases>& phases = rests ? resting_ : phases_;
+    if (phases == nullptr) phases = make_phases_(rests ? tips_at_rest_->setup : setup_);
+    return phases->of(contacts);
   }
   /// Calls `use` with each phase that has been asked for.
   void each_phase(const auto& use) const {
@@ -59,8 +60,10 @@ class ContactModes : public TipPlaces {
 
   /// Of tips that may rest at once where their slip velocity comes to zero; null where they do not.
   [[nodiscard]] RestJudge* rest_judge() const { return judge_.get(); }
-  /// Tips that rest do so under another law.
-  [[nodiscard]] bool has_law_of_rest() const { return tips_at_rest_.has_value(); }
+  /// Tips that rest do so under another law, and those that slip beside them, too.
+  [[nodiscard]] bool under_law_of_rest(const std::vector<OpenContact>& contacts) const {
+    return tips_at_rest_ && any_rests(contacts);
+  }
   /// `RestJudge::let_go`, under whichever law the tip has been at rest.
   bool let_go(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
               OpenContact& contact);

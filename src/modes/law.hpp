@@ -3,6 +3,7 @@
 /// what cannot occur under it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -25,6 +26,9 @@ struct ContactSetup;
 /// A contact that is open: which blade, its slip direction, and what its blade's equilibrium is found from,
 /// all 0 where that is not known.
 using OpenContact = collocation::Touch;
+inline bool any_rests(std::span<const OpenContact> contacts) {
+  return std::ranges::count(contacts, 0.0, &OpenContact::slip) > 0;
+}
 
 /// What has become of a contact: it stands in equilibrium, it is free, or neither (MODEL 5).
 enum class Standing : std::uint8_t { stands, free, lost };

@@ -64,10 +64,10 @@ ending::StatusDetail Motion::take_over(PointMotion& before) {
 
 std::vector<modes::OpenContact> Motion::contacts_now() {
   std::vector<modes::OpenContact> contacts = contacts_;
-  if (undecided_ || phase_ == nullptr) return contacts;
+  if (undecided_) return contacts;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     contacts[i] = phase_->contact_at(i, time_);
-    if (under_law_of_rest_) modes_.leave_law_of_rest(contacts[i]);
+    if (modes_.under_law_of_rest(contacts_)) modes_.leave_law_of_rest(contacts[i]);
   }
   return contacts;
 }
@@ -149,7 +149,7 @@ modes::ModeEnd Motion::touch(double period, modes::MotionListener& listener) {
   state_ = full.state;
   time_ = full.time;
   for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i] = phase_->contact_at_end(i);
-  if (under_law_of_rest_) {
+  if (modes_.under_law_of_rest(contacts_)) {
     // Tips that slip beside a tip at rest go on under their own law, which finds their bending anew. The
     // reset does this for the blade of the event.
     for (modes::OpenContact& open : contacts_) {
@@ -162,7 +162,6 @@ modes::ModeEnd Motion::touch(double period, modes::MotionListener& listener) {
 }
 
 ending::StatusDetail Motion::finish_revolution(double period) {
-  if (phase_ == nullptr) undecided_ = true;
   ++work_.revolutions;
   time_ -= period;  // exactly 0
   for (Reversals& reversals : reversals_) reversals = {reversals.last - period, reversals.before - period};
@@ -174,10 +173,8 @@ ending::StatusDetail Motion::begin_mode() {
   undecided_ = false;
   phase_ = nullptr;
   if (contacts_.empty()) return ending::StatusDetail::none;
-  const bool rests = any_rests();
-  if (!rests && begins_to_skim()) contacts_.front().skims = true;
-  under_law_of_rest_ = rests && modes_.has_law_of_rest();
-  phase_ = &modes_.phases(under_law_of_rest_).of(contacts_);
+  if (!modes::any_rests(contacts_) && begins_to_skim()) contacts_.front().skims = true;
+  phase_ = &modes_.phase_of(contacts_);
   return phase_->start(time_, state_, contacts_);
 }
 
@@ -238,7 +235,7 @@ bool Motion::place_ring() {
 /// others.
 ending::StatusDetail Motion::settle_others(int blade, modes::MotionListener& listener) {
   modes::RestJudge* judge = modes_.rest_judge();
-  if (judge == nullptr || !any_rests()) return ending::StatusDetail::none;
+  if (judge == nullptr || !modes::any_rests(contacts_)) return ending::StatusDetail::none;
   const std::vector<modes::OpenContact> before = contacts_;
   if (!judge->settle(unbent(), contacts_)) return ending::StatusDetail::slip_undecided;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {

@@ -7,7 +7,6 @@
 /// that it does not lose digits in a long run.
 #pragma once
 
-#include <algorithm>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -52,9 +51,6 @@ class Motion final : public PointMotion {
   modes::ModeEnd touch(double period, modes::MotionListener& listener);
   ending::StatusDetail finish_revolution(double period);
   ending::StatusDetail begin_mode();
-  [[nodiscard]] bool any_rests() const {
-    return std::ranges::count(contacts_, 0.0, &modes::OpenContact::slip) > 0;
-  }
   bool begins_to_skim();
 
   // Contacts.
@@ -95,7 +91,6 @@ class Motion final : public PointMotion {
   double time_ = 0.0;
   WorkCounts work_;
   modes::Phase* phase_ = nullptr;                  ///< of the present mode in contact; null in flight
-  bool under_law_of_rest_ = false;                 ///< that phase is
   bool undecided_ = true;                          ///< the mode is to be chosen
   modes::Guard ended_by_ = modes::Guard::horizon;  ///< what ended the last mode; horizon: there is none
 };
