@@ -19,17 +19,13 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
   contacts_ = contacts;
   start_ = {time, state};
   pending_ = false;
-  most_bent_.assign(contacts.size(), std::nullopt);
   const std::uint64_t evaluations = law_->evaluations();
   at_once_.reset();
-  auto refusal = StatusDetail::none;
-  std::size_t opened = 0;
-  for (; opened < contacts.size(); ++opened) {
-    const OpenContact& open = contacts[opened];
+  for (OpenContact& open : contacts_) {
     const contact::Pose at = arc_.pose(open.blade, {.time = time, .bodies = state, .bending = {}});
     const double speed = angular_speed(time);
     if (const auto found = law_->open(open, at, speed)) {
-      contacts_[opened] = *found;
+      open = *found;
       continue;
     }
     if (law_->is_free_at_once(open, at, speed)) {
@@ -41,13 +37,13 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
     } else if (open.bend.modulus != 0.0) {
       at_once_ = {Guard::snap, open.blade};
     } else {
-      refusal = StatusDetail::no_equilibrium;
+      at_once_ = {Guard::left_validity, open.blade, StatusDetail::no_equilibrium};
     }
     break;
   }
   setup_.meter->spend(Work::contact, static_cast<std::int64_t>(law_->evaluations() - evaluations) *
                                          WorkPrice::kInclinedCurve);
-  if (opened < contacts.size()) return refusal;
+  if (at_once_) return StatusDetail::none;
   arc_.begin(time, state, contacts_);
   if (!arc_.starts_within_ring()) return StatusDetail::shaft_at_ring;
   return arc_.shortening_at_start() > setup_.limits.max_shortening ? StatusDetail::shortening_limit

@@ -135,7 +135,7 @@ TouchdownSearch::Outlook TouchdownSearch::outlook(double time, const rotor::Shaf
   double spacing = first_spacing_;
   while (spacing > kClosest * first_spacing_ && !suits(spacing)) spacing *= 0.5;
   FlightRow& row = rows_by_spacing_.try_emplace(spacing, *machine_, spacing).first->second;
-  return {in_pieces ? time + renewed : until, fourth, &row, spacing < first_spacing_};
+  return {in_pieces ? time + renewed : until, fourth, &row};
 }
 
 /// In rows of times, and in steps only where a row leaves a doubt.
@@ -185,7 +185,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
       bodies = flight_->state(time);
     }
     const double next_end = time + FlightRow::kTimes * row.spacing();
-    if (time < until && (ahead.shorter || (next_end > ahead.until && ahead.until < until)))
+    if (time < until && (row.spacing() < first_spacing_ || (next_end > ahead.until && ahead.until < until)))
       ahead = outlook(time, bodies, until, false);
   }
   return std::nullopt;

@@ -75,7 +75,6 @@ class TouchdownSearch {
     double until;   ///< τ of the revolution
     double fourth;  ///< of |g''''|
     FlightRow* row;
-    bool shorter;  ///< the spacing is not the first
   };
   /// `shows_passes`: the cubics of the rows show where tips pass, besides what may touch.
   [[nodiscard]] Outlook outlook(double time, const rotor::ShaftAndRing& bodies, double until,
