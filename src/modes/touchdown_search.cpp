@@ -59,18 +59,14 @@ TouchdownSearch::TouchdownSearch(const Flight& flight, std::vector<contact::Geom
       meter_(&meter),
       machine_(&flight.machine()),
       blades_(std::move(blades)),
-      least_clearance_(std::numeric_limits<double>::infinity()),
+      ring_radius_(blades_.front().ring_radius),
+      rounding_(kDoubt * machine_->constants.gap_rounding(blades_.front())),
+      farthest_(std::ranges::max(blades_, {}, &contact::Geometry::reach).reach),
       close_bounds_(bounds_are_close(*machine_)),
       turning_weight_(turning_weight(machine_->constants)),
       turning_(turning_bounds(machine_->blades)),
       first_spacing_(kSpacing / std::max(1.0, std::abs(machine_->constants.speed_ratio))),
-      clear_until_(blades_.size()) {
-  for (const contact::Geometry& blade : blades_) {
-    farthest_ = std::max(farthest_, blade.reach);
-    least_clearance_ = std::min(least_clearance_, blade.ring_radius - blade.reach);
-    roundings_.push_back(kDoubt * machine_->constants.gap_rounding(blade));
-  }
-}
+      clear_until_(blades_.size()) {}
 
 std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find_by_steps(double until) {
   const double from = flight_->start_time();
@@ -79,14 +75,14 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find_by_steps(double 
 }
 
 bool TouchdownSearch::shaft_at_ring(double until) {
-  const contact::Geometry shaft{0.0, blades_.front().ring_radius};
+  const contact::Geometry shaft{0.0, ring_radius_};
   const double misalignment = machine_->constants.misalignment;
   const double from = flight_->start_time();
   const rotor::ShaftAndRing& bodies = flight_->at_start();
   const double bound = flight_->bound(from, bodies, until - from, false).position();
-  if (bound + std::abs(misalignment) < shaft.ring_radius) return false;
+  if (bound + std::abs(misalignment) < ring_radius_) return false;
   const rotor::State seen = rotor::from_ring(bodies);
-  if (std::hypot(seen[0], seen[1] + misalignment) >= shaft.ring_radius) return true;
+  if (std::hypot(seen[0], seen[1] + misalignment) >= ring_radius_) return true;
   double clear_until = from;
   return by_steps({&shaft, 1}, {&clear_until, 1}, from, bodies, until).has_value();
 }
@@ -128,7 +124,7 @@ TouchdownSearch::Outlook TouchdownSearch::outlook(double time, const rotor::Shaf
   const double horizon = std::min(renewed, remaining);
   const double fourth = fourth_bound(flight_->bound(time, bodies, horizon));
   const double share = shows_passes ? kLargestRemainderOfPasses : kLargestRemainder;
-  const double allowed = share * blades_.front().ring_radius * machine_->constants.length_scale;
+  const double allowed = share * ring_radius_ * machine_->constants.length_scale;
   const auto suits = [&](double h) {
     return !(in_pieces && FlightRow::kTimes * h > renewed) && FlightRow::remainder(fourth, h) <= allowed;
   };
@@ -146,7 +142,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
   gaps_.clear();
   // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
   const double bound = flight_->bound(time, bodies, until - time, false).position();
-  if (bound + std::abs(machine_->constants.misalignment) <= least_clearance_) return std::nullopt;
+  if (bound + std::abs(machine_->constants.misalignment) <= ring_radius_ - farthest_) return std::nullopt;
   const int count = static_cast<int>(blades_.size());
   const std::int64_t price = price_of_row();
   Outlook ahead = outlook(time, bodies, until, false);
@@ -161,7 +157,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
     const bool keeps = keeps_rows_ && rows_.size() < kMostRows;
     for (int k = 0; k < count; ++k) {
       const FlightRow::Gaps gaps = gaps_of(row, k, first);
-      const int of_blade = row.first_doubt(gaps, roundings_[static_cast<std::size_t>(k)]);
+      const int of_blade = row.first_doubt(gaps, rounding_);
       clear_until_[static_cast<std::size_t>(k)] = of_blade;
       doubt = std::min(doubt, of_blade);
       if (keeps) gaps_.push_back(gaps);
@@ -202,7 +198,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::only_touch(const Flig
   const auto number = std::ranges::find_if(clear_until_, may_touch) - clear_until_.begin();
   const auto blade = static_cast<int>(number);
   const FlightRow::Gaps gaps = gaps_of(row, blade, first);
-  if (!row.touches_once(gaps, interval, roundings_[static_cast<std::size_t>(number)])) return std::nullopt;
+  if (!row.touches_once(gaps, interval, rounding_)) return std::nullopt;
   const auto gap = [&](double at) {
     meter_->spend(Work::flight, WorkPrice::kGap + flight_->price_of_state());
     ++evaluations_;

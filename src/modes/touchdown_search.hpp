@@ -120,10 +120,10 @@ class TouchdownSearch {
   WorkMeter* meter_;
   const rotor::Machine* machine_;
   std::vector<contact::Geometry> blades_;
-  std::vector<double> roundings_;  ///< of gaps: below them a row does not tell, one for each blade [m²]
-  double farthest_ = 0.0;          ///< the longest reach of a blade [m]
-  double least_clearance_;         ///< of the blade that reaches farthest [m]
-  bool close_bounds_;  ///< the paper's shaft, ring and turning, and no forcing faster than the rotor
+  double ring_radius_;  ///< R [m]
+  double rounding_;     ///< of gaps: below it a row does not tell [m²]
+  double farthest_;     ///< the longest reach of a blade [m]
+  bool close_bounds_;   ///< the paper's shaft, ring and turning, and no forcing faster than the rotor
   double turning_weight_;
   TurningBounds turning_;
   double first_spacing_;  ///< of rows [τ]

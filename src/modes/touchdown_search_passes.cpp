@@ -72,7 +72,6 @@ bool TouchdownSearch::may_have_top(const FlightRow::Gaps& gaps, double spacing) 
 /// Looks at the tops of a blade's gap in a row.
 void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps,
                                 Nearest& nearest) const {
-  const double radius = geometry(blade).ring_radius;
   const double h = row.spacing;
   double gap_before = gaps.before;
   double rate_before = gaps.rate_before;
@@ -80,15 +79,14 @@ void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::
     const double gap = gaps.gap[i];
     const double rate = gaps.rate[i];
     const double from = row.begin + i * h;
-    const double miss = std::min(nearest.distance, radius);
-    const double nearer = miss * (miss - 2.0 * radius);  // g of a tip that passes nearer than that
+    const double miss = std::min(nearest.distance, ring_radius_);
+    const double nearer = miss * (miss - 2.0 * ring_radius_);  // g of a tip that passes nearer than that
     // Tangents bound a maximum between two times whose rates tell it. Fast decay after a contact may turn a
     // tip round twice between two times.
     const bool may_pass_nearer =
         rate_before > 0.0 && rate <= 0.0
             ? std::max(gap_before + h * rate_before, gap - h * rate) > nearer
-            : integrate::cubic_may_peak(h * rate_before, gap - gap_before, h * rate,
-                                        roundings_[static_cast<std::size_t>(blade)]) &&
+            : integrate::cubic_may_peak(h * rate_before, gap - gap_before, h * rate, rounding_) &&
                   integrate::cubic_range(gap_before, h * rate_before, gap, h * rate).greatest > nearer;
     if (may_pass_nearer) {
       const auto rate_at = [&](double time) {
