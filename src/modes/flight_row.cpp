@@ -1,5 +1,6 @@
 #include "modes/flight_row.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -145,14 +146,23 @@ void FlightRow::start(double time, const rotor::ShaftAndRing& bodies, double fou
   square_rate_ = 2.0 * (x * vx + y * vy);
 }
 
-double FlightRow::crossing(const Gaps& gaps, int interval) const {
+std::optional<double> FlightRow::only_crossing(const Gaps& gaps, int interval, double rounding) const {
+  constexpr double kOfRate = 2.31;   // √3/216 over 1/288, which is in `remainder`
   constexpr double kClosest = 1e-3;  // of the interval
   const double h = spacing();
-  const auto [from, from_rate, to, to_rate] = ends_of(gaps, interval);
+  // |g' − cubic'| <= max|g''''| h³ √3/216.
+  const double remainder = kOfRate * remainder_ / h;
+  const double from = interval == 0 ? gaps.before : gaps.gap[interval - 1];
+  const double from_rate = interval == 0 ? gaps.rate_before : gaps.rate[interval - 1];
+  const double to = gaps.gap[interval];
+  const double to_rate = gaps.rate[interval];
+  const double middle = 3.0 * (to - from) / h - from_rate - to_rate;
+  if (!(from < -rounding && to > rounding && std::min({from_rate, middle, to_rate}) > remainder))
+    return std::nullopt;
   const double square = 3.0 * (to - from) - (2.0 * from_rate + to_rate) * h;
   const double cube = (from_rate + to_rate) * h - 2.0 * (to - from);
-  const auto gap = [&, start = from, rate = from_rate * h](double share) {
-    return integrate::ValueAndSlope{start + share * (rate + share * (square + share * cube)),
+  const auto gap = [&, rate = from_rate * h](double share) {
+    return integrate::ValueAndSlope{from + share * (rate + share * (square + share * cube)),
                                     rate + share * (2.0 * square + share * 3.0 * cube)};
   };
   return h * integrate::newton_between(gap, 0.0, 1.0, from / (from - to), true, kClosest);

@@ -182,17 +182,9 @@ class FlightRow {
     return kTimes;
   }
 
-  /// Whether the gap of a tip rises all through one of the eight intervals, from below zero to above, so that
-  /// the tip touches once.
-  [[nodiscard]] bool touches_once(const Gaps& gaps, int interval, double rounding) const {
-    // |g' − cubic'| <= max|g''''| h³ √3/216.
-    const double remainder = kOfRate * remainder_ / spacing();
-    const auto [from, from_rate, to, to_rate] = ends_of(gaps, interval);
-    const double middle = 3.0 * (to - from) / spacing() - from_rate - to_rate;
-    return from < -rounding && to > rounding && std::min({from_rate, middle, to_rate}) > remainder;
-  }
-  /// When, roughly: a duration from the start of the interval [τ].
-  [[nodiscard]] double crossing(const Gaps& gaps, int interval) const;
+  /// Where the gap of a tip rises all through one of the eight intervals, from below zero to above, so that
+  /// the tip touches once: when, roughly, a duration from the start of the interval [τ].
+  [[nodiscard]] std::optional<double> only_crossing(const Gaps& gaps, int interval, double rounding) const;
 
   /// What |g''''| <= `fourth_bound` leaves of g between two times at a distance h, in its inner Bernstein
   /// coefficients [m²].
@@ -202,16 +194,6 @@ class FlightRow {
   }
 
  private:
-  static constexpr double kOfRate = 2.31;  ///< √3/216 over 1/288, which is in `remainder`
-  /// Of an interval: gap [m²] and its rate.
-  struct Ends {
-    double from, from_rate, to, to_rate;
-  };
-  static Ends ends_of(const Gaps& gaps, int interval) {
-    if (interval == 0) return {gaps.before, gaps.rate_before, gaps.gap[0], gaps.rate[0]};
-    return {gaps.gap[interval - 1], gaps.rate[interval - 1], gaps.gap[interval], gaps.rate[interval]};
-  }
-
   double misalignment_;
   StateRow states_;
   std::optional<FreeRow> ring_;  ///< that is a body

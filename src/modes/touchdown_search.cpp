@@ -198,7 +198,8 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::only_touch(const Flig
   const auto number = std::ranges::find_if(clear_until_, may_touch) - clear_until_.begin();
   const auto blade = static_cast<int>(number);
   const FlightRow::Gaps gaps = gaps_of(row, blade, first);
-  if (!row.touches_once(gaps, interval, rounding_)) return std::nullopt;
+  const auto guess = row.only_crossing(gaps, interval, rounding_);
+  if (!guess) return std::nullopt;
   const auto gap = [&](double at) {
     meter_->spend(Work::flight, WorkPrice::kGap + flight_->price_of_state());
     ++evaluations_;
@@ -206,8 +207,8 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::only_touch(const Flig
     return integrate::ValueAndSlope{
         there.gap, contact::gap_rate(geometry(blade), there, machine_->blades.angular_speed(at))};
   };
-  const double touches = integrate::newton_between(gap, time, time + row.spacing(),
-                                                   time + row.crossing(gaps, interval), true, kLastStep);
+  const double touches =
+      integrate::newton_between(gap, time, time + row.spacing(), time + *guess, true, kLastStep);
   return Touchdown{blade, touches, flight_->state(touches)};
 }
 
