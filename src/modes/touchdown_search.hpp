@@ -110,7 +110,6 @@ class TouchdownSearch {
     std::optional<trajectory::Pass> pass;
   };
   void take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps, Nearest& nearest) const;
-  void take(int blade, double time, Nearest& nearest) const;
 
   [[nodiscard]] double clear_step(const contact::Geometry& geometry, const contact::BladeDirection& er,
                                   double time, const rotor::ShaftAndRing& bodies, double until) const;

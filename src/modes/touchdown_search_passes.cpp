@@ -95,20 +95,16 @@ void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::
       };
       const double to = std::min(from + h, nearest.end);
       const double rate_there = to < from + h ? rate_at(to) : rate;
-      if (const auto top = integrate::first_top(rate_at, from, to, rate_before, rate_there))
-        take(blade, *top, nearest);
+      const auto top = integrate::first_top(rate_at, from, to, rate_before, rate_there);
+      const trajectory::Tip there = top ? tip(blade, *top) : trajectory::Tip{};
+      if (there.overlap < 0.0 && -there.overlap < nearest.distance) {
+        nearest.distance = -there.overlap;
+        nearest.pass = {nearest.distance, there.side, blade, *top};
+      }
     }
     gap_before = gap;
     rate_before = rate;
   }
-}
-
-/// Takes the pass of a tip whose radius is largest at that time, if it is the nearest.
-void TouchdownSearch::take(int blade, double time, Nearest& nearest) const {
-  const trajectory::Tip top = tip(blade, time);
-  if (!(top.overlap < 0.0 && -top.overlap < nearest.distance)) return;
-  nearest.distance = -top.overlap;
-  nearest.pass = trajectory::Pass{nearest.distance, top.side, blade, time};
 }
 
 }  // namespace rubatlas::modes
