@@ -15,30 +15,6 @@
 
 namespace rubatlas::assembly {
 
-namespace {
-
-std::unique_ptr<point::LineSolver> make(const LineRequest& request) {
-  switch (request.line.accuracy.method) {
-    case settings::Method::collocation:
-      return hybrid_solver(request, modes::phases_on_arcs);
-    case settings::Method::hybrid:
-      return hybrid_solver(request, phases_in_steps);
-    case settings::Method::hybrid_54:
-      return make_hybrid_54(request);
-    case settings::Method::hybrid_32:
-      return make_hybrid_32(request);
-    case settings::Method::paper:
-      return make_paper(request);
-    case settings::Method::located:
-      return make_located(request);
-    case settings::Method::fixed:
-      return make_fixed(request);
-  }
-  throw std::logic_error("a method of integration that is none");
-}
-
-}  // namespace
-
 std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request, modes::MakePhases* make_phases) {
   return point::solver_of_motions(
       request.line,
@@ -62,7 +38,24 @@ std::unique_ptr<point::LineSolver> make_line_solver(const settings::Scene& scene
                                                     const plan::PointParameters& line,
                                                     const std::shared_ptr<BladeTables>& tables) {
   const settings::Scene own = plan::scene_of_line(scene, line);
-  return make({own, *tables, settings::combination_of(own)});
+  const LineRequest request{own, *tables, settings::combination_of(own)};
+  switch (own.accuracy.method) {
+    case settings::Method::collocation:
+      return hybrid_solver(request, modes::phases_on_arcs);
+    case settings::Method::hybrid:
+      return hybrid_solver(request, phases_in_steps);
+    case settings::Method::hybrid_54:
+      return make_hybrid_54(request);
+    case settings::Method::hybrid_32:
+      return make_hybrid_32(request);
+    case settings::Method::paper:
+      return make_paper(request);
+    case settings::Method::located:
+      return make_located(request);
+    case settings::Method::fixed:
+      return make_fixed(request);
+  }
+  throw std::logic_error("a method of integration that is none");
 }
 
 motion::SectionState initial_state(const settings::Scene& scene, const plan::PointParameters& point) {

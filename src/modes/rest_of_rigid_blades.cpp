@@ -53,7 +53,6 @@ RestOfRigidBlades::AtRest RestOfRigidBlades::at_rest(Contacts contacts, std::siz
   return {.contact = contact,
           .direction = er,
           .tangent = er * contact::tangent(law.geometry(), at.pose),
-          .pose = at.pose,
           .load = at.force.normal * rotor().force_unit,
           .largest = contact::largest_at_rest(law.friction())};
 }
@@ -73,8 +72,8 @@ RestOfRigidBlades::Balance RestOfRigidBlades::balance(const State& state, Contac
     const std::complex<double> seen = result.acceleration * std::conj(tip.direction);
     // The hub's own angular acceleration moves the tip across the blade.
     const double turning = geometry.reach * blades().angular_acceleration(state[rotor::kTime]);
-    tip.pull = contact::slip_acceleration(geometry, tip.pose, angular_speed(state),
-                                          {seen.real(), seen.imag() + turning});
+    tip.pull = contact::slip_acceleration(geometry, pose(contacts[tip.contact].blade, state),
+                                          angular_speed(state), {seen.real(), seen.imag() + turning});
   }
   contact::share_out(tips);
   for (const AtRest& tip : tips) result.acceleration -= tip.pull * tip.tangent;

@@ -40,9 +40,8 @@ class RestOfRigidBlades : public RestJudge, public TipPlaces {
     std::size_t contact = 0;
     std::complex<double> direction;  ///< er
     std::complex<double> tangent;    ///< t
-    contact::Pose pose{};
-    double load = 0.0;     ///< F/(m ωn²) [m per unit τ²]
-    double largest = 0.0;  ///< |c| up to which it is held [-]
+    double load = 0.0;               ///< F/(m ωn²) [m per unit τ²]
+    double largest = 0.0;            ///< |c| up to which it is held [-]
     double pull = 0.0;  ///< q [m per unit τ²]: dv/dτ without friction at the tips at rest, then shared out
     /// What friction has to give beyond what it can [m per unit τ²]: the tip comes loose where it is
     /// positive.
