@@ -169,7 +169,7 @@ class ContactMode : public TipPlaces {
   [[nodiscard]] trajectory::ContactForce on_rotor(std::size_t contact, const contact::TipForce& force,
                                                   double coefficient, const FullState& state) const {
     const OpenContact& open = contacts_[contact];
-    return modes::contact_force(force, {open.slip, coefficient}, direction(open.blade, state),
+    return modes::contact_force(force, open.slip, coefficient, direction(open.blade, state),
                                 pose(open.blade, state), blades().angular_speed(state[rotor::kTime]));
   }
   /// |c|² − R² [m²]: the shaft's centre reaches the ring where it is positive (MODEL 5).

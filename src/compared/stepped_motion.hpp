@@ -120,7 +120,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
     const contact::BladeDirection er =
         machine_.blades.direction(blade(contact), machine_.blades.first(full[kSteppedTime]));
     const double slip = before_[k].slip;
-    return modes::contact_force(force, {slip, law_->friction_coefficient(blade(contact), force, slip)}, er,
+    return modes::contact_force(force, slip, law_->friction_coefficient(blade(contact), force, slip), er,
                                 system_.pose(k, full), machine_.constants.speed_ratio);
   }
   [[nodiscard]] trajectory::Tip tip(int blade, double time) override {

@@ -159,8 +159,8 @@ trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Po
   const contact::Pose at = arc_.pose(touch.blade, point, er);
   const double speed = angular_speed(point.time);
   const contact::TipForce tip_force = law_->force(touch, at, speed);
-  return modes::contact_force(tip_force, {touch.slip, law_->friction_coefficient(touch, at, tip_force)}, er,
-                              at, speed);
+  return modes::contact_force(tip_force, touch.slip, law_->friction_coefficient(touch, at, tip_force), er, at,
+                              speed);
 }
 trajectory::Tip Collocated::tip(int blade, const Point& point) const {
   return tip_of(law_->geometry(blade), arc_.pose(blade, point), angular_speed(point.time));

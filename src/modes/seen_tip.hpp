@@ -21,23 +21,17 @@ inline trajectory::Tip tip_of(const contact::Geometry& geometry, const contact::
           std::copysign(1.0, slip) * at.tangential};
 }
 
-/// How a tip rubs.
-struct Rubbing {
-  double slip;         ///< s = ±1, 0 where it sticks
-  double coefficient;  ///< c [-]
-};
-
-/// `at`, `er`: where the blade stands; `angular_speed`: of the rotor, per unit τ.
+/// `slip`: s = ±1, 0 where the tip sticks; `coefficient`: c [-]; `at`, `er`: where the blade stands;
+/// `angular_speed`: of the rotor, per unit τ.
 ///
 /// Fk = −F (n + c t), and the deformed tip stands at rk = |rk| n from the ring's centre. Seen from the
 /// shaft's centre c it stands at rk − c, of which (rk − c)·t = −c·t, and Ω (rk − c)·n = v − c'·t (MODEL 4.4).
 /// Hence the torque (rk − c) × Fk = −F c·t − c F (v − c'·t)/Ω, whatever bends or yields.
-inline trajectory::ContactForce contact_force(const contact::TipForce& force, const Rubbing& rubbing,
+inline trajectory::ContactForce contact_force(const contact::TipForce& force, double slip, double coefficient,
                                               const contact::BladeDirection& er, const contact::Pose& at,
                                               double angular_speed) {
   // All along and across the blade.
   using Complex = std::complex<double>;
-  const double coefficient = rubbing.coefficient;
   const Complex normal = Complex(coefficient * force.tangential + force.radial,
                                  force.tangential - coefficient * force.radial) *
                          (-1.0 / (1.0 + coefficient * coefficient));  // F n
@@ -48,9 +42,8 @@ inline trajectory::ContactForce contact_force(const contact::TipForce& force, co
   const double slips_by_turning =
       force.normal * force.slip_velocity - along_tangent(at.radial_velocity, at.tangential_velocity);
   const double torque =
-      -along_tangent(at.radial, at.tangential) - rubbing.coefficient * slips_by_turning / angular_speed;
-  return {contact::on_rotor(force, er), force.normal, force.slip_velocity, rubbing.slip,
-          rubbing.coefficient,          torque};
+      -along_tangent(at.radial, at.tangential) - coefficient * slips_by_turning / angular_speed;
+  return {contact::on_rotor(force, er), force.normal, force.slip_velocity, slip, coefficient, torque};
 }
 
 }  // namespace rubatlas::modes

@@ -170,7 +170,7 @@ TEST(TorqueOfAContact, HasTheDeformedTipForItsLever) {
     const double speed = between(0.1, 1.5);
     const double slip = i % 2 == 0 ? 1.0 : -1.0;
     const auto expect = [&](const contact::TipForce& force, double along, double across, double coefficient) {
-      const auto found = modes::contact_force(force, {slip, coefficient}, er, at, speed);
+      const auto found = modes::contact_force(force, slip, coefficient, er, at, speed);
       const double size = std::abs(found.on_rotor) * length;
       EXPECT_NEAR(found.torque, along * force.tangential - across * force.radial, 1e-14 * size);
       EXPECT_EQ(found.friction_power(), coefficient * force.normal * force.slip_velocity);
