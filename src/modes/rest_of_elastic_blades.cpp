@@ -97,16 +97,12 @@ double RestOfElasticBlades::forward(OpenContact& contact, double slip, const Sta
 
 bool RestOfElasticBlades::arrest(const State& state, const std::vector<OpenContact>& /*contacts*/,
                                  OpenContact& contact) {
-  OpenContact there = contact;
-  const double slip = there.slip;
-  if (!come_to_rest(there, state)) {
-    // v that has been located as zero has any sign, the more so where friction hardly moves the tip.
-    const bool slips = forward(there, -slip, state) >= -slip_rounding(state);
-    // Neither direction slips as it should: v may be zero next to the other one.
-    if (!slips && !rests(there, state)) return false;
-  }
-  contact = there;
-  return true;
+  const double slip = contact.slip;
+  if (come_to_rest(contact, state)) return true;
+  // v that has been located as zero has any sign, the more so where friction hardly moves the tip.
+  if (forward(contact, -slip, state) >= -slip_rounding(state)) return true;
+  // Neither direction slips as it should: v may be zero next to the other one.
+  return rests(contact, state);
 }
 
 bool RestOfElasticBlades::let_go(const State& state, const std::vector<OpenContact>& /*contacts*/,

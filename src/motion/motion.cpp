@@ -342,8 +342,8 @@ ending::StatusDetail Motion::reverse_slip(Contact contact, modes::MotionListener
   const double cycle = reversal_cycle(contact->blade);
   if (modes::RestJudge* judge = modes_.rest_judge()) {
     // Nothing moves: it neither rests nor slips.
-    if (!(cycle > 0.0)) return ending::StatusDetail::slip_undecided;
-    if (!judge->arrest(unbent(), contacts_, *contact)) return ending::StatusDetail::slip_undecided;
+    if (!(cycle > 0.0) || !judge->arrest(unbent(), contacts_, *contact))
+      return ending::StatusDetail::slip_undecided;
     settled = settle_others(contact->blade, listener);
   } else {
     const bool accumulated = cycle < kShortestCycle;  // MODEL 4.4
