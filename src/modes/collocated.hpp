@@ -14,7 +14,6 @@
 #include "collocation/contact_arc.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/phase.hpp"
-#include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 #include "trajectory/motion_piece.hpp"

@@ -1,6 +1,5 @@
 #include "modes/contact_modes.hpp"
 
-#include <cmath>
 #include <complex>
 #include <cstdint>
 #include <utility>

@@ -2,7 +2,6 @@
 
 #include "modes/laws.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
