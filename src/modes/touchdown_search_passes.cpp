@@ -5,6 +5,7 @@
 
 #include "integrate/cubic_range.hpp"
 #include "integrate/first_crossing.hpp"
+#include "integrate/root_between.hpp"
 #include "modes/touchdown_search.hpp"
 
 namespace rubatlas::modes {
@@ -72,6 +73,7 @@ bool TouchdownSearch::may_have_top(const FlightRow::Gaps& gaps, double spacing) 
 /// Looks at the tops of a blade's gap in a row.
 void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps,
                                 Nearest& nearest) const {
+  constexpr unsigned kBits = 26;  // a maximum is flat, so its value has twice as many
   const double h = row.spacing;
   double gap_before = gaps.before;
   double rate_before = gaps.rate_before;
@@ -81,22 +83,22 @@ void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::
     const double from = row.begin + i * h;
     const double miss = std::min(nearest.distance, ring_radius_);
     const double nearer = miss * (miss - 2.0 * ring_radius_);  // g of a tip that passes nearer than that
-    // Tangents bound a maximum between two times whose rates tell it. Fast decay after a contact may turn a
-    // tip round twice between two times.
-    const bool may_pass_nearer =
-        rate_before > 0.0 && rate <= 0.0
-            ? std::max(gap_before + h * rate_before, gap - h * rate) > nearer
-            : integrate::cubic_may_peak(h * rate_before, gap - gap_before, h * rate, rounding_) &&
-                  integrate::cubic_range(gap_before, h * rate_before, gap, h * rate).greatest > nearer;
-    if (may_pass_nearer) {
-      const auto rate_at = [&](double time) {
-        return contact::gap_rate(geometry(blade), pose(blade, time, flight_->state(time)),
-                                 machine_->blades.angular_speed(time));
-      };
-      const double to = std::min(from + h, nearest.end);
-      const double rate_there = to < from + h ? rate_at(to) : rate;
-      const auto top = integrate::first_top(rate_at, from, to, rate_before, rate_there);
-      const trajectory::Tip there = top ? tip(blade, *top) : trajectory::Tip{};
+    const auto rate_at = [&](double time) {
+      return contact::gap_rate(geometry(blade), pose(blade, time, flight_->state(time)),
+                               machine_->blades.angular_speed(time));
+    };
+    std::optional<double> top;
+    if (rate_before > 0.0 && rate <= 0.0) {
+      // Tangents bound a maximum that lies between two times.
+      if (std::max(gap_before + h * rate_before, gap - h * rate) > nearer)
+        top = integrate::root_between(rate_at, from, from + h, rate_before, rate, kBits);
+    } else if (integrate::cubic_may_peak(h * rate_before, gap - gap_before, h * rate, rounding_) &&
+               integrate::cubic_range(gap_before, h * rate_before, gap, h * rate).greatest > nearer) {
+      // Fast decay after a contact may turn a tip round twice between two times.
+      top = integrate::first_top(rate_at, from, from + h, rate_before, rate);
+    }
+    if (top && *top < nearest.end) {
+      const trajectory::Tip there = tip(blade, *top);
       if (there.overlap < 0.0 && -there.overlap < nearest.distance) {
         nearest.distance = -there.overlap;
         nearest.pass = {nearest.distance, there.side, blade, *top};
