@@ -127,6 +127,7 @@ Standing LawOfAxialLoads::keep(const TipPlace& at, OpenContact& contact) const {
   if (at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose) &&
       blade.ends_unloaded(at.pose, contact.slip, contact.bending)) {
     contact.bending = 0.0;
+    contact.bend = {};
     return outside ? Standing::free : Standing::stands;
   }
   if (outside && !blade.releases_at_fold()) return Standing::free;
