@@ -1,7 +1,6 @@
 #include "modes/contact_modes.hpp"
 
 #include <complex>
-#include <cstdint>
 #include <utility>
 
 namespace rubatlas::modes {
@@ -20,13 +19,6 @@ ContactModes::ContactModes(const rotor::Machine& machine, std::unique_ptr<Law> l
   }
   if (!at_rest.empty()) tips_at_rest_.emplace(contact::UnequalBlades(std::move(at_rest)), setup_);
   if (machine.following_ring() != nullptr) ring_placer_.emplace(setup_);
-}
-
-std::int64_t ContactModes::price_of_searches() {
-  if (!law_->searches_long()) return 0;
-  const std::uint64_t evaluations = law_->evaluations();
-  return static_cast<std::int64_t>(evaluations - std::exchange(paid_evaluations_, evaluations)) *
-         WorkPrice::kInclinedCurve;
 }
 
 bool ContactModes::let_go(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,

@@ -46,10 +46,11 @@ class ContactModes : public TipPlaces {
     }
   }
 
-  /// Price of the searches for equilibria since the last phase or call; nothing where they are short [ns].
-  std::int64_t price_of_searches();
-  /// A phase has paid for its own.
-  void searches_are_paid() { paid_evaluations_ = law_->evaluations(); }
+  /// Price of all searches for equilibria up to now; nothing where they are short [ns].
+  [[nodiscard]] std::int64_t price_of_searches() const {
+    if (!law_->searches_long()) return 0;
+    return static_cast<std::int64_t>(law_->evaluations()) * WorkPrice::kInclinedCurve;
+  }
 
   /// Of tips that may skim.
   [[nodiscard]] const std::optional<SkimmingJudge>& skimming_judge() const { return skimming_judge_; }
@@ -96,7 +97,6 @@ class ContactModes : public TipPlaces {
 
   std::unique_ptr<Law> own_law_;
   ContactSetup setup_;
-  std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price has been told
   MakePhases* make_phases_;
   std::unique_ptr<ContactPhases> phases_, resting_;  ///< once they are asked for
   std::unique_ptr<RestJudge> judge_;                 ///< of tips that stick

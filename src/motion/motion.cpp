@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "modes/flight_piece.hpp"
@@ -75,15 +76,17 @@ ending::StatusDetail Motion::revolution(modes::MotionListener& listener, const m
                                         int /*number*/) {
   const double period = machine_.constants.period();
   meter_.begin_revolution(go_on);
-  while (meter_.spend(modes::Work::events, modes::WorkPrice::kEvent + modes_.price_of_searches())) {
+  while (meter_.spend(modes::Work::events, modes::WorkPrice::kEvent)) {
     if (undecided_) {
       if (const auto why = begin_mode(); why != ending::StatusDetail::none) return why;
     }
     const modes::ModeEnd end = phase_ == nullptr ? fly(period, listener) : touch(period, listener);
     if (end.guard == modes::Guard::horizon) return finish_revolution(period);
     if (end.guard == modes::Guard::failed || end.guard == modes::Guard::left_validity) return end.why;
+    const std::int64_t price_before = modes_.price_of_searches();
     if (const auto why = reset(end, listener); why != ending::StatusDetail::none) return why;
     if (!place_ring()) return ending::StatusDetail::ring_unbalanced;
+    meter_.spend(modes::Work::events, modes_.price_of_searches() - price_before);
   }
   return meter_.why();
 }
@@ -137,7 +140,6 @@ modes::ModeEnd Motion::fly(double period, modes::MotionListener& listener) {
 
 modes::ModeEnd Motion::touch(double period, modes::MotionListener& listener) {
   const modes::ModeEnd end = phase_->advance(period, listener);
-  modes_.searches_are_paid();
   if (end.guard == modes::Guard::horizon) {
     state_ = phase_->state_at(period);
     time_ = period;
