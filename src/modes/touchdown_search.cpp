@@ -28,29 +28,6 @@ constexpr double kLargestRemainder = 1.0 / 8.0;
 /// The same of rows whose cubics have to show where tips pass: a ring that moves fast turns them round often.
 constexpr double kLargestRemainderOfPasses = 1.0 / 256.0;
 
-/// Whether a state in closed form costs more than a row of them.
-bool states_are_dear(const rotor::Machine& machine) {
-  return machine.supported() != nullptr || machine.harmonics()->terms().size() > 1;
-}
-
-/// Bound of |(d/dτ + iΩ)³ z| against (|z|² + |z'|²)^½ in a flight without forcing on an isotropic shaft: z'''
-/// and z'' are written with z and z', whose coefficients are bounded together.
-double turning_weight(const rotor::RotorConstants& rotor) {
-  const double damping = 2.0 * rotor.damping_ratio;
-  const double speed = std::abs(rotor.speed_ratio);
-  const double of_velocity = std::hypot(damping * damping - 1.0 - 3.0 * speed * speed, 3.0 * speed * damping);
-  const double of_position = std::hypot(damping, speed * (3.0 + speed * speed));
-  return std::hypot(of_velocity, of_position);
-}
-
-/// Whether bounds of single terms hold: of the paper's shaft, ring and turning, with no forcing faster than
-/// the rotor.
-bool bounds_are_close(const rotor::Machine& machine) {
-  const rotor::Harmonics* harmonics = machine.harmonics();
-  return harmonics != nullptr && machine.ring_body() == nullptr && !machine.blades.ripples() &&
-         harmonics->rate() <= harmonics->amplitude() * std::abs(machine.constants.speed_ratio);
-}
-
 }  // namespace
 
 TouchdownSearch::TouchdownSearch(const Flight& flight, std::vector<contact::Geometry> blades,
@@ -62,8 +39,6 @@ TouchdownSearch::TouchdownSearch(const Flight& flight, std::vector<contact::Geom
       ring_radius_(blades_.front().ring_radius),
       rounding_(kDoubt * machine_->constants.gap_rounding(blades_.front())),
       farthest_(std::ranges::max(blades_, {}, &contact::Geometry::reach).reach),
-      close_bounds_(bounds_are_close(*machine_)),
-      turning_weight_(turning_weight(machine_->constants)),
       turning_(turning_bounds(machine_->blades)),
       first_spacing_(kSpacing / std::max(1.0, std::abs(machine_->constants.speed_ratio))),
       clear_until_(blades_.size()) {}
@@ -87,32 +62,18 @@ bool TouchdownSearch::shaft_at_ring(double until) {
   return by_steps({&shaft, 1}, {&clear_until, 1}, from, bodies, until).has_value();
 }
 
-/// Bound of |g'''|, g = |c|² + 2(rh+L) Re(c e^{−iφ}) + a constant.
-double TouchdownSearch::third_bound(const FlightBound& bound, double reach) const {
-  const double misalignment = std::abs(machine_->constants.misalignment);
-  const double centre = bound.position() + misalignment;  // of |c|
+/// g = |c|² + 2(rh+L) Re(c e^{−iφ}) + a constant.
+TouchdownSearch::GapBounds TouchdownSearch::gap_bounds(const FlightBound& bound) const {
+  const double centre = bound.position() + std::abs(machine_->constants.misalignment);  // of |c|
   const double velocity = bound.velocity();
   const auto [second, third, fourth] = flight_->derivative_bounds(bound);
-  double turned =
+  const double third_turned =
       third + 3.0 * turning_.first * second + 3.0 * turning_.second * velocity + turning_.third * centre;
-  if (close_bounds_) {
-    // z''' and z'' are written with z, z' and the forcing, and the coefficients of z and z' bounded together:
-    // |z|² + |z'|² <= bound².
-    const double speed = turning_.first;
-    const double damping = 2.0 * machine_->constants.damping_ratio;
-    turned = turning_weight_ * bound.shaft + (damping + 4.0 * speed) * machine_->harmonics()->amplitude() +
-             speed * speed * speed * misalignment;
-  }
-  return 6.0 * velocity * second + 2.0 * centre * third + 2.0 * reach * turned;
-}
-
-double TouchdownSearch::fourth_bound(const FlightBound& bound) const {
-  const double centre = bound.position() + std::abs(machine_->constants.misalignment);
-  const double velocity = bound.velocity();
-  const auto [second, third, fourth] = flight_->derivative_bounds(bound);
-  const double turned = fourth + 4.0 * turning_.first * third + 6.0 * turning_.second * second +
-                        4.0 * turning_.third * velocity + turning_.fourth * centre;
-  return 6.0 * second * second + 8.0 * velocity * third + 2.0 * centre * fourth + 2.0 * farthest_ * turned;
+  const double fourth_turned = fourth + 4.0 * turning_.first * third + 6.0 * turning_.second * second +
+                               4.0 * turning_.third * velocity + turning_.fourth * centre;
+  return {6.0 * velocity * second + 2.0 * centre * third + 2.0 * farthest_ * third_turned,
+          6.0 * second * second + 8.0 * velocity * third + 2.0 * centre * fourth +
+              2.0 * farthest_ * fourth_turned};
 }
 
 TouchdownSearch::Outlook TouchdownSearch::outlook(double time, const rotor::ShaftAndRing& bodies,
@@ -122,7 +83,7 @@ TouchdownSearch::Outlook TouchdownSearch::outlook(double time, const rotor::Shaf
   const double renewed = std::max(flight_->time_of_bound(), FlightRow::kTimes * kClosest * first_spacing_);
   const bool in_pieces = renewed < remaining;
   const double horizon = std::min(renewed, remaining);
-  const double fourth = fourth_bound(flight_->bound(time, bodies, horizon));
+  const double fourth = gap_bounds(flight_->bound(time, bodies, horizon)).fourth;
   const double share = shows_passes ? kLargestRemainderOfPasses : kLargestRemainder;
   const double allowed = share * ring_radius_ * machine_->constants.length_scale;
   const auto suits = [&](double h) {
@@ -146,7 +107,6 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
   const int count = static_cast<int>(blades_.size());
   const std::int64_t price = price_of_row();
   Outlook ahead = outlook(time, bodies, until, false);
-  const bool dear = states_are_dear(*machine_);
   for (int rows = 1; time < until; ++rows) {
     if (!meter_->spend(Work::flight, price)) return std::nullopt;
     FlightRow& row = *ahead.row;
@@ -165,7 +125,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
     if (keeps) rows_.push_back({time, row.spacing(), std::min(doubt + 1, FlightRow::kTimes)});
     if (doubt > 0) {
       time += doubt * row.spacing();
-      bodies = dear && rows % kRowsFromClosedForm != 0 ? row.state(doubt - 1) : flight_->state(time);
+      bodies = rows % kRowsFromClosedForm != 0 ? row.state(doubt - 1) : flight_->state(time);
     }
     if (doubt < FlightRow::kTimes) {
       if (time >= until) break;
@@ -218,7 +178,6 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(std::span<co
                                                                     double time, rotor::ShaftAndRing bodies,
                                                                     double until) {
   const rotor::BladeSet& blades = machine_->blades;
-  contact::BladeDirection first = blades.first(time);
   while (true) {
     std::size_t blade = 0;
     for (std::size_t k = 1; k < clear_until.size(); ++k) {
@@ -228,12 +187,12 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(std::span<co
     if (clear_until[blade] > time) {
       time = clear_until[blade];
       bodies = flight_->state(time);
-      first = blades.first(time);
     }
     if (!meter_->spend(Work::flight, WorkPrice::kGap + flight_->price_of_state())) return std::nullopt;
     ++evaluations_;
     const int number = static_cast<int>(blade);
-    const double step = clear_step(tips[blade], blades.direction(number, first), time, bodies, until);
+    const contact::BladeDirection er = blades.direction(number, blades.first(time));
+    const double step = clear_step(tips[blade], er, time, bodies, until);
     if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{number, time, bodies};
     clear_until[blade] = time + step;
   }
@@ -274,8 +233,7 @@ double TouchdownSearch::clear_step(const contact::Geometry& geometry, const cont
   const double remaining = until - time;
   const double horizon = std::min(flight_->time_of_bound(), remaining);
   const FlightBound bound = flight_->bound(time, bodies, horizon);
-  const double step =
-      integrate::conservative_step(value, slope, curvature, third_bound(bound, geometry.reach));
+  const double step = integrate::conservative_step(value, slope, curvature, gap_bounds(bound).third);
   return horizon < remaining ? std::min(step, horizon) : step;
 }
 

@@ -50,8 +50,12 @@ class TouchdownSearch {
   /// far as the meter pays. Once this has been asked for, the search keeps the gaps that it finds.
   [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(double end, double known);
 
-  /// Bound of |g''''| of the blade that reaches farthest [m² per unit τ⁴].
-  [[nodiscard]] double fourth_bound(const FlightBound& bound) const;
+  /// Bounds of |g'''| and |g''''| of the blade that reaches farthest [m² per unit τ³, τ⁴].
+  struct GapBounds {
+    double third;
+    double fourth;
+  };
+  [[nodiscard]] GapBounds gap_bounds(const FlightBound& bound) const;
 
   /// Gaps evaluated, one for each blade and time, or row of times.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
@@ -113,7 +117,6 @@ class TouchdownSearch {
 
   [[nodiscard]] double clear_step(const contact::Geometry& geometry, const contact::BladeDirection& er,
                                   double time, const rotor::ShaftAndRing& bodies, double until) const;
-  [[nodiscard]] double third_bound(const FlightBound& bound, double reach) const;
 
   const Flight* flight_;
   WorkMeter* meter_;
@@ -122,8 +125,6 @@ class TouchdownSearch {
   double ring_radius_;  ///< R [m]
   double rounding_;     ///< of gaps: below it a row does not tell [m²]
   double farthest_;     ///< the longest reach of a blade [m]
-  bool close_bounds_;   ///< the paper's shaft, ring and turning, and no forcing faster than the rotor
-  double turning_weight_;
   TurningBounds turning_;
   double first_spacing_;  ///< of rows [τ]
   std::vector<double> clear_until_;

@@ -94,7 +94,7 @@ TEST(RandomScenes, WhoseTipsAreOffTheRingByTheToleranceAreFollowed) {
 
 TEST(RandomScenes, ThatMoveInVeryShortTimesAreFollowed) {
   // Intervals shorter than 1e-8 of the first guess.
-  expect_followed({159, 1660, 1900, 4977, 9222, 9504});
+  expect_followed({159, 1900, 4977, 9222, 9504});
 }
 
 class RandomSearch : public ::testing::TestWithParam<Shard> {};

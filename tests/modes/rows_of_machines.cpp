@@ -152,7 +152,7 @@ TEST(FlightRows, NoGapBendsMoreThanItsBoundAllows) {
     const modes::TouchdownSearch search(flight, random.blades, meter);
     const double begin = flight.start_time();
     const double end = begin + std::min(5.0, flight.time_of_bound());
-    const double bound = search.fourth_bound(flight.bound(begin, flight.state(begin), end - begin));
+    const double bound = search.gap_bounds(flight.bound(begin, flight.state(begin), end - begin)).fourth;
     const double apart = 0.02 / random.fastest;
     for (std::size_t k = 0; k < random.blades.size(); ++k) {
       const auto gap = [&](double time) {
