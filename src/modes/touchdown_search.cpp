@@ -41,16 +41,20 @@ TouchdownSearch::TouchdownSearch(const Flight& flight, std::vector<contact::Geom
       farthest_(std::ranges::max(blades_, {}, &contact::Geometry::reach).reach),
       turning_(turning_bounds(machine_->blades)),
       first_spacing_(kSpacing / std::max(1.0, std::abs(machine_->constants.speed_ratio))),
-      clear_until_(blades_.size()) {}
+      first_doubts_(blades_.size()) {}
 
 std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find_by_steps(double until) {
-  const double from = flight_->start_time();
-  clear_until_.assign(clear_until_.size(), from);
-  return by_steps(blades_, clear_until_, from, flight_->at_start(), until);
+  std::optional<Touchdown> touchdown;
+  for (int k = 0; k < static_cast<int>(blades_.size()); ++k) {
+    if (auto touch = by_steps(geometry(k), k, flight_->start_time(), flight_->at_start(), until)) {
+      until = touch->time;
+      touchdown = touch;
+    }
+  }
+  return touchdown;
 }
 
 bool TouchdownSearch::shaft_at_ring(double until) {
-  const contact::Geometry shaft{0.0, ring_radius_};
   const double misalignment = machine_->constants.misalignment;
   const double from = flight_->start_time();
   const rotor::ShaftAndRing& bodies = flight_->at_start();
@@ -58,8 +62,7 @@ bool TouchdownSearch::shaft_at_ring(double until) {
   if (bound + std::abs(misalignment) < ring_radius_) return false;
   const rotor::State seen = rotor::from_ring(bodies);
   if (std::hypot(seen[0], seen[1] + misalignment) >= ring_radius_) return true;
-  double clear_until = from;
-  return by_steps({&shaft, 1}, {&clear_until, 1}, from, bodies, until).has_value();
+  return by_steps({0.0, ring_radius_}, 0, from, bodies, until).has_value();
 }
 
 /// g = |c|² + 2(rh+L) Re(c e^{−iφ}) + a constant.
@@ -117,8 +120,8 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
     const bool keeps = keeps_rows_ && rows_.size() < kMostRows;
     for (int k = 0; k < count; ++k) {
       const FlightRow::Gaps gaps = gaps_of(row, k, first);
-      const int of_blade = row.first_doubt(gaps, rounding_);
-      clear_until_[static_cast<std::size_t>(k)] = of_blade;
+      int& of_blade = first_doubts_[static_cast<std::size_t>(k)];
+      of_blade = row.first_doubt(gaps, rounding_);
       doubt = std::min(doubt, of_blade);
       if (keeps) gaps_.push_back(gaps);
     }
@@ -130,13 +133,17 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
     if (doubt < FlightRow::kTimes) {
       if (time >= until) break;
       const double end = std::min(time + row.spacing(), until);
-      if (auto touchdown = only_touch(row, doubt, time, first)) {
-        if (meter_->ended() || !(touchdown->time < until)) return std::nullopt;
-        return touchdown;
+      std::optional<Touchdown> touchdown;
+      for (int k = 0; k < count; ++k) {
+        if (first_doubts_[static_cast<std::size_t>(k)] > doubt) continue;
+        const auto guess = row.only_crossing(gaps_of(row, k, first), doubt, rounding_);
+        const double before = touchdown ? touchdown->time : end;
+        const auto touch = guess ? by_newton(k, {time, time + row.spacing()}, time + *guess, before)
+                                 : by_steps(geometry(k), k, time, bodies, before);
+        if (touch) touchdown = touch;
       }
-      for (double& clear_until : clear_until_) clear_until = clear_until > doubt ? end : time;
-      if (auto touchdown = by_steps(blades_, clear_until_, time, bodies, end)) return touchdown;
       if (meter_->ended()) return std::nullopt;
+      if (touchdown) return touchdown;
       time = end;
       bodies = flight_->state(time);
     }
@@ -147,19 +154,11 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
   return std::nullopt;
 }
 
-/// The touch-down in an interval of the row that starts at `time`, where one tip alone may touch in it, and
-/// touches once. Nothing where it cannot be told. `first`: where blade 0 stands at the start of the row.
-std::optional<TouchdownSearch::Touchdown> TouchdownSearch::only_touch(const FlightRow& row, int interval,
-                                                                      double time,
-                                                                      const contact::BladeDirection& first) {
+/// Where the gap of a blade rises all through an interval, from below zero to above: its touch-down before
+/// `until`.
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_newton(int blade, const Times& interval,
+                                                                     double guess, double until) {
   constexpr double kLastStep = 1e-8;  // [τ]: the last step errs by its square
-  const auto may_touch = [interval](double clear_until) { return !(clear_until > interval); };
-  if (std::ranges::count_if(clear_until_, may_touch) > 1) return std::nullopt;
-  const auto number = std::ranges::find_if(clear_until_, may_touch) - clear_until_.begin();
-  const auto blade = static_cast<int>(number);
-  const FlightRow::Gaps gaps = gaps_of(row, blade, first);
-  const auto guess = row.only_crossing(gaps, interval, rounding_);
-  if (!guess) return std::nullopt;
   const auto gap = [&](double at) {
     meter_->spend(Work::flight, WorkPrice::kGap + flight_->price_of_state());
     ++evaluations_;
@@ -167,35 +166,23 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::only_touch(const Flig
     return integrate::ValueAndSlope{
         there.gap, contact::gap_rate(geometry(blade), there, machine_->blades.angular_speed(at))};
   };
-  const double touches =
-      integrate::newton_between(gap, time, time + row.spacing(), time + *guess, true, kLastStep);
+  const double touches = integrate::newton_between(gap, interval.from, interval.to, guess, true, kLastStep);
+  if (!(touches < until)) return std::nullopt;
   return Touchdown{blade, touches, flight_->state(touches)};
 }
 
-/// In steps that no tip can outrun; `clear_until` says from when on each of them is to be looked at.
-std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(std::span<const contact::Geometry> tips,
-                                                                    std::span<double> clear_until,
+/// The touch-down of a tip from `time` on and before `until`, in steps that it cannot outrun.
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(const contact::Geometry& tip, int blade,
                                                                     double time, rotor::ShaftAndRing bodies,
                                                                     double until) {
-  const rotor::BladeSet& blades = machine_->blades;
-  while (true) {
-    std::size_t blade = 0;
-    for (std::size_t k = 1; k < clear_until.size(); ++k) {
-      if (clear_until[k] < clear_until[blade]) blade = k;
-    }
-    if (clear_until[blade] >= until) return std::nullopt;
-    if (clear_until[blade] > time) {
-      time = clear_until[blade];
-      bodies = flight_->state(time);
-    }
-    if (!meter_->spend(Work::flight, WorkPrice::kGap + flight_->price_of_state())) return std::nullopt;
+  while (time < until && meter_->spend(Work::flight, WorkPrice::kGap + flight_->price_of_state())) {
     ++evaluations_;
-    const int number = static_cast<int>(blade);
-    const contact::BladeDirection er = blades.direction(number, blades.first(time));
-    const double step = clear_step(tips[blade], er, time, bodies, until);
-    if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{number, time, bodies};
-    clear_until[blade] = time + step;
+    const double step = clear_step(tip, blade, time, bodies, until);
+    if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{blade, time, bodies};
+    time += step;
+    if (time < until) bodies = flight_->state(time);
   }
+  return std::nullopt;
 }
 
 contact::Pose TouchdownSearch::pose(int blade, double time, const rotor::ShaftAndRing& bodies) const {
@@ -215,10 +202,11 @@ FlightRow::Gaps TouchdownSearch::gaps_of(const FlightRow& row, int blade,
   return row.gaps(geometry(blade), machine_->blades.direction(blade, first));
 }
 
-/// A duration from `time` on within which a tip of that geometry, whose blade stands at `er`, cannot touch.
-double TouchdownSearch::clear_step(const contact::Geometry& geometry, const contact::BladeDirection& er,
-                                   double time, const rotor::ShaftAndRing& bodies, double until) const {
+/// A duration from `time` on within which a tip of that geometry cannot touch.
+double TouchdownSearch::clear_step(const contact::Geometry& geometry, int blade, double time,
+                                   const rotor::ShaftAndRing& bodies, double until) const {
   const rotor::BladeSet& blades = machine_->blades;
+  const contact::BladeDirection er = blades.direction(blade, blades.first(time));
   const rotor::State seen = rotor::from_ring(bodies);
   const double turning = blades.angular_speed(time);
   const contact::Pose at = rotor::pose_of(machine_->constants, geometry, er, seen);

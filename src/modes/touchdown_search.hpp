@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "contact/pose.hpp"
@@ -19,10 +18,9 @@
 
 namespace rubatlas::modes {
 
-/// Finds the first touch-down of a flight: in rows of times, and where a row leaves a doubt in steps. In
-/// steps the search keeps for each blade the time up to which the blade is proven clear of the ring. The
-/// least of these times is advanced until it no longer moves, which is a touch-down, or until all of them
-/// have passed the end of the search.
+/// Finds the first touch-down of a flight: in rows of times, and in the first interval of a row that leaves a
+/// doubt, of each blade that may touch in it, by Newton's method where its gap certainly rises meanwhile,
+/// else in steps that its tip cannot outrun. These shrink towards a touch-down, and end there.
 class TouchdownSearch {
  public:
   /// Flight and meter outlive the search. `blades`: one geometry for each blade.
@@ -83,10 +81,12 @@ class TouchdownSearch {
   /// `shows_passes`: the cubics of the rows show where tips pass, besides what may touch.
   [[nodiscard]] Outlook outlook(double time, const rotor::ShaftAndRing& bodies, double until,
                                 bool shows_passes);
-  std::optional<Touchdown> only_touch(const FlightRow& row, int interval, double time,
-                                      const contact::BladeDirection& first);
-  std::optional<Touchdown> by_steps(std::span<const contact::Geometry> tips, std::span<double> clear_until,
-                                    double time, rotor::ShaftAndRing bodies, double until);
+  struct Times {
+    double from, to;  ///< τ of the revolution
+  };
+  std::optional<Touchdown> by_newton(int blade, const Times& interval, double guess, double until);
+  std::optional<Touchdown> by_steps(const contact::Geometry& tip, int blade, double time,
+                                    rotor::ShaftAndRing bodies, double until);
 
   [[nodiscard]] const contact::Geometry& geometry(int blade) const {
     return blades_[static_cast<std::size_t>(blade)];
@@ -115,8 +115,8 @@ class TouchdownSearch {
   };
   void take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps, Nearest& nearest) const;
 
-  [[nodiscard]] double clear_step(const contact::Geometry& geometry, const contact::BladeDirection& er,
-                                  double time, const rotor::ShaftAndRing& bodies, double until) const;
+  [[nodiscard]] double clear_step(const contact::Geometry& geometry, int blade, double time,
+                                  const rotor::ShaftAndRing& bodies, double until) const;
 
   const Flight* flight_;
   WorkMeter* meter_;
@@ -126,8 +126,8 @@ class TouchdownSearch {
   double rounding_;     ///< of gaps: below it a row does not tell [m²]
   double farthest_;     ///< the longest reach of a blade [m]
   TurningBounds turning_;
-  double first_spacing_;  ///< of rows [τ]
-  std::vector<double> clear_until_;
+  double first_spacing_;           ///< of rows [τ]
+  std::vector<int> first_doubts_;  ///< of the blades in a row
   std::map<double, FlightRow> rows_by_spacing_;
   // What was found along the flight, where it is kept: gaps row by row, and in them blade by blade.
   bool keeps_rows_ = false;
