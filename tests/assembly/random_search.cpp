@@ -97,6 +97,15 @@ TEST(RandomScenes, ThatMoveInVeryShortTimesAreFollowed) {
   expect_followed({159, 1900, 4977, 9222, 9504});
 }
 
+TEST(RandomScenes, InWhichANodeFindsTheRootOfABladeBentTheOtherWayTouchOncePerPassing) {
+  // The jump of p to −p was taken for a fold, and this for a lift-off: the contact began again, each time a
+  // moment earlier, and carried the shaft away.
+  const auto outcome = search(4796);
+  ASSERT_TRUE(outcome);
+  constexpr std::uint64_t kPassings = 5 * 3;  // of five blades in three revolutions
+  EXPECT_LE(outcome->work.touchdowns, kPassings);
+}
+
 class RandomSearch : public ::testing::TestWithParam<Shard> {};
 
 TEST_P(RandomSearch, EveryLegalSceneEndsWithAStatus) {

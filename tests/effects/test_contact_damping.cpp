@@ -199,6 +199,7 @@ TEST(ContactDamping, OfColumnsIsTheLimitOfVanishingFrictionInProportion) {
     json scene = damped_scene_with(
         {{"yielding_ring", {{"compliance", 1e-5}}}, {"contact_damping", {{"damping", 10.0}}}}, speed);
     scene["contact"]["friction"] = friction;
+    scene["initial"] = {{"vy", -0.05}};  // it bends
     return damped_end_of(scene);
   };
   for (const double speed : {0.36, 0.62}) {
