@@ -24,11 +24,11 @@ ContactArc::Point ContactArc::solved_at(double time) {
   constexpr int kTimes = 4;
   constexpr double kClose = 1e-6;  // of the stretch: next to a lift-off p changes much in a moment
   double fraction = fraction_at(time);
-  for (int i = 1;; ++i) {
-    if (!cut(made(), fraction, trial())) return point_at(fraction);
+  for (int i = 0; i < kTimes; ++i) {
+    if (!cut(made(), fraction, trial())) break;
     Point point = end_of(trial());
     const double late = time - point.time;
-    if (i == kTimes || std::abs(late) < kClose * trial().elapsed.at_end()) {
+    if (std::abs(late) < kClose * trial().elapsed.at_end()) {
       move(point, trial(), late);
       point.time = time;
       return point;
@@ -36,6 +36,8 @@ ContactArc::Point ContactArc::solved_at(double time) {
     const double next = fraction * (1.0 + late / trial().time_slope.at_end());
     fraction = std::clamp(next, 0.5 * fraction, 0.5 * (1.0 + fraction));
   }
+  // Next to where time stands still it cannot be met so closely.
+  return point_at(fraction_at(time));
 }
 
 ContactArc::Point ContactArc::solved_at_fraction(double fraction) {
