@@ -52,8 +52,8 @@ bool ContactArc::is_next_to_unbent(const Interval& interval) const {
   constexpr double kNear = 0.03;
   if (leans_ && !(interval.leader().lean.at_end() > 0.0)) return false;  // it is bent against its load
   const double argument = interval.argument.at_end();
-  // A column that may stand straight bends from above the ring, where a fold may be one. So does a blade that
-  // bends more and more: the compressed one, to its fold.
+  // A column that may stand straight bends from above the ring, where a fold may be one; a blade whose p
+  // grows does not unbend.
   return argument < kNextToUnbent ||
          (argument < kNear && interval.argument_slope.at_end() < 0.0 && !law_->may_stand_straight(leader()) &&
           law_->starts_unloaded(leader(), leading().slip, pose(leader(), end_of(interval))));
@@ -112,7 +112,7 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   if (ending.guard != Guard::under_load && !is_held_beyond_ring() && !stays_bent) return Verdict::too_long;
   const Interval& kept = in_part ? part : next;
   if (ending.guard == Guard::fold) {
-    // h = 0 is even in p. A node that has found the other root is no motion, and the way to it no fold.
+    // h is even in p: a node may have found −p, and the polynomial turns round on its way to it.
     const bool has_jumped = *std::ranges::min_element(next.argument.value) < 0.0;
     if (is_next_to_unbent(kept)) {
       ending.guard = Guard::unbent;
