@@ -13,13 +13,13 @@ namespace {
 using Contact = trajectory::PathPoint::Contact;
 using trajectory::State;
 
-constexpr int kUnknowns = 2;  ///< u, or κ and φ; fewer are filled up
+constexpr int kMostUnknowns = 2;  ///< u, or κ and φ; fewer are filled up
 /// Slopes by c, c', the time in which blades turn, and the bend.
 constexpr int kPlace = 0;
 constexpr int kVelocity = 2;
 constexpr int kTime = 4;
 constexpr int kBend = 5;
-constexpr int kSlopes = kBend + kUnknowns;
+constexpr int kSlopes = kBend + kMostUnknowns;
 using Slopes = Eigen::Matrix<double, kSlopes, 1>;
 using Number = Eigen::AutoDiffScalar<Slopes>;
 
@@ -53,11 +53,11 @@ struct ContactStiffness::Tip {
   Number force_x, force_y;  ///< f [N]
   Number slip;              ///< v |w| [m² per unit τ]
   /// Slopes of h [m²] and of the direction of the load [rad]; of what a blade has not, an unknown stays zero.
-  Eigen::Matrix<double, kUnknowns, kSlopes> constraints =
-      Eigen::Matrix<double, kSlopes, kSlopes>::Identity().bottomRows<kUnknowns>();
+  Eigen::Matrix<double, kMostUnknowns, kSlopes> constraints =
+      Eigen::Matrix<double, kSlopes, kSlopes>::Identity().bottomRows<kMostUnknowns>();
 
   /// D.
-  [[nodiscard]] Eigen::Matrix2d by_bend() const { return constraints.rightCols<kUnknowns>(); }
+  [[nodiscard]] Eigen::Matrix2d by_bend() const { return constraints.rightCols<kMostUnknowns>(); }
   /// adj D.
   [[nodiscard]] Eigen::Matrix2d adjugate() const {
     const Eigen::Matrix2d slopes = by_bend();
@@ -66,15 +66,15 @@ struct ContactStiffness::Tip {
   /// Slopes by c and c', `share` of the time in them, where the bend changes by −`lambda` (adj D) g.
   [[nodiscard]] Eigen::RowVector4d by_state(const Number& of, double share, double lambda) const {
     const Eigen::RowVector2d by_constraint =
-        lambda * of.derivatives().tail<kUnknowns>().transpose() * adjugate();
+        lambda * of.derivatives().tail<kMostUnknowns>().transpose() * adjugate();
     Eigen::RowVector4d result = share * of.derivatives().head<4>().transpose();
-    for (int i = 0; i < kUnknowns; ++i) result -= by_constraint[i] * constraints.row(i).head<4>();
+    for (int i = 0; i < kMostUnknowns; ++i) result -= by_constraint[i] * constraints.row(i).head<4>();
     return result;
   }
   /// (adj D) g_τ.
   [[nodiscard]] Eigen::Vector2d drift(const State& state, const Eigen::Vector2d& acceleration) const {
     Eigen::Vector2d rates;
-    for (int i = 0; i < kUnknowns; ++i) rates[i] = rate(constraints.row(i), state, acceleration);
+    for (int i = 0; i < kMostUnknowns; ++i) rates[i] = rate(constraints.row(i), state, acceleration);
     return adjugate() * rates;
   }
 };
@@ -212,7 +212,7 @@ std::optional<ContactStiffness::Guard> ContactStiffness::slip(const Contact& con
   Guard guard;
   guard.gradient = there->by_state(there->slip, 1.0, lambda);
   guard.rate = rate(slopes, state, acceleration) -
-               lambda * slopes.segment<kUnknowns>(kBend).dot(there->drift(state, acceleration));
+               lambda * slopes.segment<kMostUnknowns>(kBend).dot(there->drift(state, acceleration));
   return guard;
 }
 
