@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <random>
 
@@ -61,6 +62,20 @@ class Uniform {
 settings::Scene of_revolutions(nlohmann::json document, int revolutions) {
   document["protocol"] = {{"transient_revolutions", 0}, {"sampled_revolutions", revolutions}};
   return settings::parse_scene(document.dump());
+}
+
+/// The same of as many scenes as there are starts, each drawn anew; how often their motions did what is
+/// counted.
+std::uint64_t counted_as_in_steps(int starts, int revolutions, double apart,
+                                  const std::function<nlohmann::json()>& draw,
+                                  std::uint64_t motion::WorkCounts::*counted) {
+  assembly::BladeTables tables;
+  std::uint64_t count = 0;
+  for (int i = 0; i < starts; ++i) {
+    SCOPED_TRACE(i);
+    count += expect_to_move_as_in_steps(of_revolutions(draw(), revolutions), tables, apart).*counted;
+  }
+  return count;
 }
 
 TEST(HardContacts, OfTipsThatSkimMoveAsInSteps) {
@@ -183,69 +198,55 @@ TEST(HardContacts, OfSeveralBladesThatHardlyBendMoveAsInSteps) {
 TEST(HardContacts, OfColumnsOnDampersMoveAsInSteps) {
   // Straight up to their Euler load, and bent beyond.
   Uniform uniform(3);
-  assembly::BladeTables tables;
-  std::uint64_t touchdowns = 0;
   constexpr int kStarts = 200;
   constexpr double kApart = 1e-9;
-  for (int i = 0; i < kStarts; ++i) {
-    SCOPED_TRACE(i);
-    const nlohmann::json document = {{"rotor", {{"damping_ratio", uniform(0.02, 0.3)}}},
-                                     {"blades", {{"count", 1 + static_cast<int>(uniform(0.0, 5.0))}}},
-                                     {"contact", {{"friction", 0.0}}},
-                                     {"yielding_ring", {{"compliance", std::pow(10.0, uniform(-5.0, -4.0))}}},
-                                     {"contact_damping", {{"damping", std::pow(10.0, uniform(0.0, 2.0))}}},
-                                     {"initial", {{"x", uniform(-5e-3, 5e-3)}, {"vy", uniform(-0.1, 0.1)}}},
-                                     {"grid", {{"speed_ratio", uniform(0.05, 0.95)}}}};
-    touchdowns += expect_to_move_as_in_steps(of_revolutions(document, 2), tables, kApart).touchdowns;
-  }
-  EXPECT_GT(touchdowns, 2U * kStarts);
+  const auto draw = [&uniform]() -> nlohmann::json {
+    return {{"rotor", {{"damping_ratio", uniform(0.02, 0.3)}}},
+            {"blades", {{"count", 1 + static_cast<int>(uniform(0.0, 5.0))}}},
+            {"contact", {{"friction", 0.0}}},
+            {"yielding_ring", {{"compliance", std::pow(10.0, uniform(-5.0, -4.0))}}},
+            {"contact_damping", {{"damping", std::pow(10.0, uniform(0.0, 2.0))}}},
+            {"initial", {{"x", uniform(-5e-3, 5e-3)}, {"vy", uniform(-0.1, 0.1)}}},
+            {"grid", {{"speed_ratio", uniform(0.05, 0.95)}}}};
+  };
+  EXPECT_GT(counted_as_in_steps(kStarts, 2, kApart, draw, &motion::WorkCounts::touchdowns), 2U * kStarts);
 }
 
 TEST(HardContacts, OfBladesWithMuchFrictionThatBendFarMoveAsInSteps) {
   // Up to a shortening of 0.6 L, towards the end of the elastica where friction is large.
   Uniform uniform(4);
-  assembly::BladeTables tables;
-  std::uint64_t touchdowns = 0;
   constexpr int kStarts = 100;
   constexpr double kApart = 1e-9;
-  for (int i = 0; i < kStarts; ++i) {
-    SCOPED_TRACE(i);
-    const nlohmann::json document = {
-        {"rotor", {{"damping_ratio", uniform(0.02, 0.3)}}},
-        {"blades", {{"count", 1 + static_cast<int>(uniform(0.0, 5.0))}, {"thickness", 5e-4}}},
-        {"contact", {{"friction", uniform(0.8, 2.0)}}},
-        {"validity", {{"max_shortening", 0.6}}},
-        {"initial", {{"x", uniform(-5e-3, 5e-3)}, {"vy", uniform(-0.15, 0.15)}}},
-        {"grid", {{"speed_ratio", uniform(0.05, 0.95)}}}};
-    touchdowns += expect_to_move_as_in_steps(of_revolutions(document, 1), tables, kApart).touchdowns;
-  }
-  EXPECT_GT(touchdowns, 1U * kStarts);
+  const auto draw = [&uniform]() -> nlohmann::json {
+    return {{"rotor", {{"damping_ratio", uniform(0.02, 0.3)}}},
+            {"blades", {{"count", 1 + static_cast<int>(uniform(0.0, 5.0))}, {"thickness", 5e-4}}},
+            {"contact", {{"friction", uniform(0.8, 2.0)}}},
+            {"validity", {{"max_shortening", 0.6}}},
+            {"initial", {{"x", uniform(-5e-3, 5e-3)}, {"vy", uniform(-0.15, 0.15)}}},
+            {"grid", {{"speed_ratio", uniform(0.05, 0.95)}}}};
+  };
+  EXPECT_GT(counted_as_in_steps(kStarts, 1, kApart, draw, &motion::WorkCounts::touchdowns), 1U * kStarts);
 }
 
 TEST(HardContacts, OfElasticBladesAtRestMoveAsInSteps) {
   // Slow rotors kicked against their spin. Their tips come loose at the edge of the cone, where their place
   // is lost, and as a strut between hub and ring.
   Uniform uniform(2);
-  assembly::BladeTables tables;
-  std::uint64_t reversals = 0;
   constexpr int kStarts = 300;
   constexpr double kApart = 1e-8;
-  for (int i = 0; i < kStarts; ++i) {
-    SCOPED_TRACE(i);
-    const nlohmann::json document = {
-        {"rotor", {{"damping_ratio", uniform(0.02, 0.3)}, {"misalignment", uniform(0.0, 0.012)}}},
-        {"blades", {{"count", 1 + static_cast<int>(uniform(0.0, 8.0))}, {"thickness", 1e-3}}},
-        {"contact", {{"law", "elastica"}, {"friction", uniform(0.2, 0.8)}}},
-        {"stick", nlohmann::json::object()},
-        {"initial",
-         {{"x", uniform(-5e-3, 5e-3)},
-          {"y", uniform(-5e-3, 5e-3)},
-          {"vx", uniform(-0.04, 0.04)},
-          {"vy", uniform(-0.04, 0.04)}}},
-        {"grid", {{"speed_ratio", uniform(0.03, 0.6)}}}};
-    reversals += expect_to_move_as_in_steps(of_revolutions(document, 1), tables, kApart).slip_reversals;
-  }
-  EXPECT_GT(reversals, 1U * kStarts);
+  const auto draw = [&uniform]() -> nlohmann::json {
+    return {{"rotor", {{"damping_ratio", uniform(0.02, 0.3)}, {"misalignment", uniform(0.0, 0.012)}}},
+            {"blades", {{"count", 1 + static_cast<int>(uniform(0.0, 8.0))}, {"thickness", 1e-3}}},
+            {"contact", {{"law", "elastica"}, {"friction", uniform(0.2, 0.8)}}},
+            {"stick", nlohmann::json::object()},
+            {"initial",
+             {{"x", uniform(-5e-3, 5e-3)},
+              {"y", uniform(-5e-3, 5e-3)},
+              {"vx", uniform(-0.04, 0.04)},
+              {"vy", uniform(-0.04, 0.04)}}},
+            {"grid", {{"speed_ratio", uniform(0.03, 0.6)}}}};
+  };
+  EXPECT_GT(counted_as_in_steps(kStarts, 1, kApart, draw, &motion::WorkCounts::slip_reversals), 1U * kStarts);
 }
 
 }  // namespace
