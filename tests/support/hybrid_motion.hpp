@@ -35,17 +35,15 @@ std::unique_ptr<modes::Law> law_of(const Blades<contact::ElasticRingContact>& bl
 std::unique_ptr<modes::Law> law_of(const Blades<contact::DirectedElastica>& blades);
 std::unique_ptr<modes::Law> law_of(const Blades<contact::ElasticBladeOnDampedRing>& blades);
 
-/// A motion by the method `hybrid`, or where it `collocates` by `collocation`, if contacts have arcs; `law`
-/// of one blade, the same for all, or of all.
+/// A motion by the method `hybrid`, or where it `collocates` by `collocation`; `law` of one blade, the same
+/// for all, or of all.
 template <class Law>
 std::unique_ptr<motion::Motion> hybrid_motion(const rotor::Machine& machine, const Law& law,
                                               const modes::ContactLimits& limits, bool collocates = false) {
   using Settings = motion::Motion::Settings;
-  auto whole = law_of(laws_of(law, machine.blades.count()));
-  const bool on_arcs = collocates && whole->arcs(machine, limits.max_shortening) != nullptr;
   return std::make_unique<motion::Motion>(
-      machine, std::move(whole),
-      Settings{limits, on_arcs ? modes::phases_on_arcs : assembly::phases_in_steps});
+      machine, law_of(laws_of(law, machine.blades.count())),
+      Settings{limits, collocates ? modes::phases_on_arcs : assembly::phases_in_steps});
 }
 template <class Law, class Forcing>
 std::unique_ptr<motion::Motion> hybrid_motion(const rotor::RotorConstants& rotor,
