@@ -6,7 +6,10 @@
 
 #include "assembly/blade_tables.hpp"
 #include "assembly/methods.hpp"
-#include "modes/laws.hpp"
+#include "collocation/axial_law.hpp"
+#include "collocation/damped_law.hpp"
+#include "collocation/inclined_law.hpp"
+#include "collocation/rigid_law.hpp"
 #include "settings/effects/list.hpp"
 #include "variation/parts_of_scene.hpp"
 
@@ -46,56 +49,56 @@ double ring_damping(const LineRequest& request) {
 
 /// `make`: the law of one blade, from its geometry and what it is.
 template <class Law>
-std::unique_ptr<modes::Law> of_blades(const LineRequest& request, const auto& make) {
+std::unique_ptr<collocation::Law> of_blades(const LineRequest& request, const auto& make) {
   std::vector<typename Law::Blades::OfBlade> blades;
   for (const settings::Blades& blade : variation::each_blade(request.line))
     blades.push_back(make(variation::geometry_of(request.line.ring, blade), blade));
   return std::make_unique<Law>(contact::UnequalBlades(std::move(blades)));
 }
 
-std::unique_ptr<modes::Law> law_of_inclined_loads(const LineRequest& request) {
+std::unique_ptr<collocation::Law> law_of_inclined_loads(const LineRequest& request) {
   const auto direction = request.combination.consumed.contains<&Effects::load_direction>()
                              ? contact::LoadDirection::normal
                              : contact::LoadDirection::axial;
   const contact::Friction friction = friction_of(request);
   const bool has_curve =
       direction == contact::LoadDirection::axial && friction.has_slip_state() && friction.friction > 0.0;
-  return of_blades<modes::LawOfInclinedLoads>(request, [&](const auto& geometry, const auto& blade) {
+  return of_blades<collocation::InclinedLaw>(request, [&](const auto& geometry, const auto& blade) {
     return contact::DirectedElastica(direction, geometry, variation::blade_of(blade), friction,
                                      has_curve ? curve_of(request, blade) : nullptr);
   });
 }
 
-std::unique_ptr<modes::Law> law_of_damped_ring(const LineRequest& request) {
+std::unique_ptr<collocation::Law> law_of_damped_ring(const LineRequest& request) {
   const double stiffness = 1.0 / request.line.yielding_ring->compliance;
-  return of_blades<modes::LawOfDampedRing>(request, [&](const auto& geometry, const auto& blade) {
+  return of_blades<collocation::DampedLaw>(request, [&](const auto& geometry, const auto& blade) {
     return contact::ElasticBladeOnDampedRing(
         contact::ElasticaContact(geometry, variation::blade_of(blade), curve_of(request, blade)), stiffness,
         ring_damping(request));
   });
 }
 
-std::unique_ptr<modes::Law> law_of_rigid_blades(const LineRequest& request) {
-  return of_blades<modes::LawOfRigidBlades>(request, [&](const auto& geometry, const auto& /*blade*/) {
+std::unique_ptr<collocation::Law> law_of_rigid_blades(const LineRequest& request) {
+  return of_blades<collocation::RigidLaw>(request, [&](const auto& geometry, const auto& /*blade*/) {
     return contact::ElasticRingContact(geometry, request.line.ring.stiffness, friction_of(request),
                                        ring_damping(request));
   });
 }
 
-std::unique_ptr<modes::Law> law_of_axial_loads(const LineRequest& request) {
+std::unique_ptr<collocation::Law> law_of_axial_loads(const LineRequest& request) {
   const settings::EffectSet& consumed = request.combination.consumed;
   contact::Ring ring;
   if (consumed.contains<&Effects::yielding_ring>())
     ring.stiffness = 1.0 / request.line.yielding_ring->compliance;
   if (consumed.contains<&Effects::release>()) ring.release = contact::Release::at_fold;
-  return of_blades<modes::LawOfAxialLoads>(request, [&](const auto& geometry, const auto& blade) {
+  return of_blades<collocation::AxialLaw>(request, [&](const auto& geometry, const auto& blade) {
     return contact::ElasticaContact(geometry, variation::blade_of(blade), curve_of(request, blade), ring);
   });
 }
 
 }  // namespace
 
-std::unique_ptr<modes::Law> law_of(const LineRequest& request) {
+std::unique_ptr<collocation::Law> law_of(const LineRequest& request) {
   using enum settings::MotionFamily;
   if (request.line.contact.law == settings::ContactLaw::elastic_ring) return law_of_rigid_blades(request);
   switch (request.combination.family->kind) {

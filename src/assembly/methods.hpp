@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "modes/law.hpp"
 #include "modes/phase.hpp"
+#include "modes/rest_judge.hpp"
 #include "point/solver.hpp"
 #include "rotor/machine.hpp"
 #include "settings/combinations.hpp"
@@ -23,7 +23,7 @@ struct LineRequest {
 };
 
 /// The law of contact of a line.
-std::unique_ptr<modes::Law> law_of(const LineRequest& request);
+std::unique_ptr<collocation::Law> law_of(const LineRequest& request);
 
 /// What turns and pushes the shaft, and the ring: only what the scene has acts. `kind`: the closed form of
 /// the isotropic shaft at constant speed is kept where the line has both.

@@ -6,8 +6,8 @@
 
 namespace rubatlas::collocation {
 
-Blade AxialLaw::numbers(int blade) const {
-  const contact::ElasticaContact& law = of(blade);
+Blade ArcsOfAxialLoads::numbers(int blade) const {
+  const contact::ElasticaContact& law = elastica(blade);
   return {.table = &table(blade),
           .reach = law.geometry().reach,
           .closing = law.geometry().closing(),
@@ -23,8 +23,9 @@ Blade AxialLaw::numbers(int blade) const {
           .held_beyond_ring = law.releases_at_fold()};
 }
 
-std::optional<Touch> AxialLaw::open(const Touch& touch, const contact::Pose& at, double /*speed*/) const {
-  const contact::ElasticaContact& law = of(touch.blade);
+std::optional<Touch> ArcsOfAxialLoads::in_equilibrium(const Touch& touch, const contact::Pose& at,
+                                                      double /*speed*/) const {
+  const contact::ElasticaContact& law = elastica(touch.blade);
   Touch found = touch;
   // One that has just buckled, or straightened, has its Euler load to rounding.
   constexpr double kClearlyLess = 1.0 - 1e-9;
@@ -36,20 +37,20 @@ std::optional<Touch> AxialLaw::open(const Touch& touch, const contact::Pose& at,
   return found;
 }
 
-Bending AxialLaw::lead(const Touch& touch) {
+Bending ArcsOfAxialLoads::lead(const Touch& touch) {
   leader_ = touch.blade;
   return {.argument = touch.straight ? kStraight : table(touch.blade).argument(touch.bending),
           .yielding = touch.yielding};
 }
 
-void AxialLaw::set_course(const Touch& touch, const contact::Pose& at, double speed,
-                          BladeStart& start) const {
+void ArcsOfAxialLoads::set_course(const Touch& touch, const contact::Pose& at, double speed,
+                                  BladeStart& start) const {
   start.square = touch.straight ? Course{start.start_gap_measure}
-                                : square_of_bent(of(touch.blade), at, touch, speed, start.ring_opens);
+                                : square_of_bent(elastica(touch.blade), at, touch, speed, start.ring_opens);
   if (touch.just_bent) start.square.rate = 0.0;  // as `DampedLaw::tangent`
 }
 
-Touch AxialLaw::touch(const TipStart& tip, const Bending& bending) const {
+Touch ArcsOfAxialLoads::touch(const TipStart& tip, const Bending& bending) const {
   return {.blade = tip.number,
           .slip = tip.slip,
           .bending = tip.straight ? 0.0 : table(tip.number).bending(bending.argument),
@@ -59,22 +60,22 @@ Touch AxialLaw::touch(const TipStart& tip, const Bending& bending) const {
           .share = bending.share};
 }
 
-contact::TipForce AxialLaw::force(const Touch& touch, const contact::Pose& at, double speed) const {
-  const contact::ElasticaContact& law = of(touch.blade);
+contact::TipForce ArcsOfAxialLoads::force(const Touch& touch, const contact::Pose& at, double speed) const {
+  const contact::ElasticaContact& law = elastica(touch.blade);
   if (touch.straight) return law.straight_force(at, touch.slip, speed);
   const contact::TipForce force = law.constraint(at, touch.slip, touch.bending, speed).force;
   return touch.skims ? rotor::share_of(force, touch.share) : force;
 }
 
 /// g/Δ, or g/2R of a column that bends from above the ring, where g/Δ has no limit.
-double AxialLaw::gap_measure(const Touch& touch, const contact::Pose& at) const {
+double ArcsOfAxialLoads::gap_measure(const Touch& touch, const contact::Pose& at) const {
   if (touch.skims) return touch.share + kShareBeyond;
-  const contact::ElasticaContact& law = of(touch.blade);
+  const contact::ElasticaContact& law = elastica(touch.blade);
   return law.may_stand_straight() ? at.gap / (2.0 * law.geometry().ring_radius)
                                   : law.gap_per_deflection(at, touch.slip, touch.bending);
 }
 
-BladeStart AxialLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
+BladeStart ArcsOfAxialLoads::start(const Touch& touch, const contact::Pose& at, double speed) const {
   BladeStart there = starts(touch, force(touch, at, speed), gap_measure(touch, at));
   if (touch.skims) there.start_cone_left = 1.0 + kShareBeyond - touch.share;
   if (!touch.straight) return there;
@@ -85,14 +86,91 @@ BladeStart AxialLaw::start(const Touch& touch, const contact::Pose& at, double s
   return there;
 }
 
-ArcLaw::Tangent AxialLaw::tangent(const Touch& touch, const contact::Pose& at, double speed,
-                                  const std::complex<double>& /*acceleration*/) const {
+Law::Tangent ArcsOfAxialLoads::tangent(const Touch& touch, const contact::Pose& at, double speed,
+                                       const std::complex<double>& /*acceleration*/) const {
   if (touch.straight) return {1.0, 0.0, 0.0};
-  const contact::ElasticaContact& law = of(touch.blade);
+  const contact::ElasticaContact& law = elastica(touch.blade);
   const auto there = law.constraint(at, touch.slip, touch.bending, speed);
   // dh = h_u du/dp dp + h_τ dτ
   const double slope = there.bending_slope * table(touch.blade).bending_slope_at(touch.bending);
   return {-slope, there.time_slope, 0.0};
+}
+
+// Resets in a ring without dampers.
+
+namespace {
+
+/// A blade that slips is bent by u alone: κ and φ of its tip at rest are past.
+bool takes(const std::optional<double>& root, Touch& touch) {
+  if (!root) return false;
+  touch.bending = *root;
+  touch.bend = {};
+  return true;
+}
+
+}  // namespace
+
+/// None for small slopes, and where axial compliance or a ring that yields gives way besides: there the place
+/// of the tip is not a function of κ and φ. Nor for blades that are released at the fold.
+std::optional<contact::DirectedElastica> AxialLaw::law_of_rest(int blade) const {
+  const contact::ElasticaContact& law = of(blade);
+  if (law.curve().theory() != blade::Theory::elastica || law.has_branches() || law.releases_at_fold())
+    return std::nullopt;
+  const double friction = law.curve().friction();
+  return contact::DirectedElastica(contact::LoadDirection::axial, law.geometry(), law.blade(),
+                                   contact::Friction::sticking(friction, friction));
+}
+
+bool AxialLaw::open(const TipPlace& at, Touch& touch) const {
+  const auto& blade = of(touch.blade);
+  if (at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose) &&
+      blade.starts_unloaded(at.pose, touch.slip))
+    return true;
+  return takes(blade.solve(at.pose, touch.slip), touch);
+}
+
+Standing AxialLaw::keep(const TipPlace& at, Touch& touch) const {
+  const auto& blade = of(touch.blade);
+  const bool outside = at.pose.gap <= 0.0;
+  if (at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose) &&
+      blade.ends_unloaded(at.pose, touch.slip, touch.bending)) {
+    touch.bending = 0.0;
+    touch.bend = {};
+    return outside ? Standing::free : Standing::stands;
+  }
+  if (outside && !blade.releases_at_fold()) return Standing::free;
+  if (!(touch.bending > 0.0)) {
+    if (takes(blade.solve(at.pose, touch.slip), touch)) return Standing::stands;
+  } else {
+    // On its branch, or on the next one where the change has taken it past the end.
+    auto root = blade.solve_near(at.pose, touch.slip, touch.bending);
+    if (!root && blade.has_branches()) root = blade.snap(at.pose, touch.slip, touch.bending, at.speed);
+    if (takes(root, touch)) return Standing::stands;
+  }
+  return outside ? Standing::free : Standing::lost;
+}
+
+Standing AxialLaw::snap(const TipPlace& at, Touch& touch) const {
+  const auto& blade = of(touch.blade);
+  touch.straight = false;
+  if (takes(blade.snap(at.pose, touch.slip, touch.bending, at.speed), touch)) return Standing::stands;
+  const bool free = at.pose.gap <= 0.0 && !blade.closes_in(at.pose, touch.slip, touch.bending, at.speed);
+  return free ? Standing::free : Standing::lost;
+}
+
+bool AxialLaw::bend_anew(const TipPlace& at, Touch& touch) const {
+  touch.bending = 0.0;
+  touch.bend = {};
+  return open(at, touch);
+}
+
+bool AxialLaw::straightens(const TipPlace& at, Touch& touch) const {
+  const auto& blade = of(touch.blade);
+  if (!blade.may_stand_straight() || at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose))
+    return false;
+  touch.bending = 0.0;
+  touch.straight = true;
+  return true;
 }
 
 }  // namespace rubatlas::collocation

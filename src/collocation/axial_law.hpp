@@ -1,43 +1,37 @@
-/// Elastic blades under an axial load, with Coulomb friction, as an arc's law (MODEL 3, 4). Columns, μ = 0,
-/// are among them. One that something gives way in series with stands straight up to its Euler load: its p
-/// does not change then, and an arc that it leads is a stretch of time.
+/// Elastic blades under an axial load, with Coulomb friction (MODEL 3, 4). Columns, μ = 0, are among them.
+/// One that something gives way in series with stands straight up to its Euler load: its p does not change
+/// then, and an arc that it leads is a stretch of time.
 #pragma once
 
-#include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <utility>
-#include <vector>
 
-#include "collocation/arc_law.hpp"
+#include "collocation/law.hpp"
 #include "contact/elastica_contact.hpp"
 
 namespace rubatlas::collocation {
 
-class AxialLaw : public ArcLaw {
+/// Their arcs, in any ring.
+class ArcsOfAxialLoads : public Law {
  public:
-  using Blades = std::vector<const contact::ElasticaContact*>;
-  /// `blades` outlive it. `max_shortening`: of δ/L.
-  AxialLaw(Blades blades, double max_shortening)
-      : ArcLaw(blades.front()->friction()), blades_(std::move(blades)), max_shortening_(max_shortening) {}
+  using Law::Law;
 
   [[nodiscard]] Blade numbers(int blade) const override;
-  [[nodiscard]] contact::Geometry geometry(int blade) const override { return of(blade).geometry(); }
   [[nodiscard]] bool may_slip_back() const override { return true; }
-  [[nodiscard]] bool releases_at_fold(int blade) const override { return of(blade).releases_at_fold(); }
-  [[nodiscard]] bool has_branches(int blade) const override { return of(blade).has_branches(); }
+  [[nodiscard]] bool has_branches(int blade) const override { return elastica(blade).has_branches(); }
   [[nodiscard]] bool starts_unloaded(int blade, double slip, const contact::Pose& at) const override {
-    return of(blade).starts_unloaded(at, slip);
+    return elastica(blade).starts_unloaded(at, slip);
   }
-  [[nodiscard]] double valid_shortening(int blade) const override {
-    return std::min(max_shortening_, table(blade).knots().back().shortening);
+  [[nodiscard]] double largest_shortening(int blade) const override {
+    return table(blade).knots().back().shortening;
   }
-  [[nodiscard]] bool may_stand_straight(int blade) const override { return of(blade).may_stand_straight(); }
-  /// The motion has found where a blade stands that is bent.
-  [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
-                                          double speed) const override;
+  [[nodiscard]] bool may_stand_straight(int blade) const override {
+    return elastica(blade).may_stand_straight();
+  }
+  [[nodiscard]] std::optional<Touch> in_equilibrium(const Touch& touch, const contact::Pose& at,
+                                                    double speed) const override;
   Bending lead(const Touch& touch) override;
   [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override;
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
@@ -46,7 +40,7 @@ class AxialLaw : public ArcLaw {
     return table(leader_).knots();
   }
   [[nodiscard]] double deflection_per_square() const override {
-    return collocation::deflection_per_square(of(leader_));
+    return collocation::deflection_per_square(elastica(leader_));
   }
   void set_course(const Touch& touch, const contact::Pose& at, double speed,
                   BladeStart& start) const override;
@@ -62,18 +56,46 @@ class AxialLaw : public ArcLaw {
   }
 
  protected:
-  static constexpr double kStraight = 1e-6;  ///< p: not 0, from where a blade would begin to bend
-  [[nodiscard]] const contact::ElasticaContact& of(int blade) const {
-    return *blades_[static_cast<std::size_t>(blade)];
-  }
-  [[nodiscard]] const blade::BendingTable& table(int blade) const { return of(blade).curve().over_asinh(); }
+  /// A blade in a ring without dampers.
+  [[nodiscard]] virtual const contact::ElasticaContact& elastica(int blade) const = 0;
 
  private:
+  static constexpr double kStraight = 1e-6;  ///< p: not 0, from where a blade would begin to bend
+  [[nodiscard]] const blade::BendingTable& table(int blade) const {
+    return elastica(blade).curve().over_asinh();
+  }
   [[nodiscard]] double gap_measure(const Touch& touch, const contact::Pose& at) const;
 
-  Blades blades_;
-  double max_shortening_;
   int leader_ = 0;
+};
+
+/// In a ring without dampers. At a reset the root of h is looked for (MODEL 4.1 and 4.2).
+class AxialLaw final : public LawOfBlades<AxialLaw, contact::ElasticaContact, ArcsOfAxialLoads> {
+ public:
+  using LawOfBlades::LawOfBlades;
+
+  [[nodiscard]] bool releases_at_fold(int blade) const override { return of(blade).releases_at_fold(); }
+  /// A blade released at the fold returns from a finite distance, and the force of a compressed column starts
+  /// from zero: neither hops without end.
+  [[nodiscard]] bool may_skim() const override { return !releases_at_fold(0) && !may_stand_straight(0); }
+
+  /// A contact opens on the approaching side from zero force, on the receding side from a finite one (MODEL
+  /// 4.2).
+  [[nodiscard]] bool open(const TipPlace& at, Touch& touch) const override;
+  [[nodiscard]] Standing keep(const TipPlace& at, Touch& touch) const override;
+  /// In the direction in which the blade moves. Where there is no next equilibrium, the blade is free if the
+  /// ring opens and the undeformed tip is outside it.
+  [[nodiscard]] Standing snap(const TipPlace& at, Touch& touch) const override;
+  [[nodiscard]] bool bend_anew(const TipPlace& at, Touch& touch) const override;
+  /// A column whose u has come to 0 while its tip is still in the ring (g > 0) stands straight from there on.
+  [[nodiscard]] bool straightens(const TipPlace& at, Touch& touch) const override;
+  bool respond(const TipPlace& at, Touch& touch, contact::TipForce& force) const override {
+    return of(touch.blade).respond(at.pose, touch.slip, at.speed, touch.bending, force);
+  }
+  [[nodiscard]] std::optional<contact::DirectedElastica> law_of_rest(int blade) const override;
+
+ protected:
+  [[nodiscard]] const contact::ElasticaContact& elastica(int blade) const override { return of(blade); }
 };
 
 }  // namespace rubatlas::collocation

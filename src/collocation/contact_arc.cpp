@@ -21,12 +21,13 @@ constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less ev
 
 }  // namespace
 
-ContactArc::ContactArc(const rotor::Machine& machine, ArcLaw& law, double tolerance)
+ContactArc::ContactArc(const rotor::Machine& machine, Law& law, double tolerance, double max_shortening)
     : whole_(&machine),
       rotor_(&machine.constants),
       blades_(&machine.blades),
       law_(&law),
       tolerance_(tolerance),
+      max_shortening_(max_shortening),
       machine_(machine, law.geometry(0).ring_radius),
       solver_(interval_solver()),
       predictor_(machine, law),
@@ -37,6 +38,7 @@ ContactArc::ContactArc(const rotor::Machine& machine, ArcLaw& law, double tolera
       friction_varies_(!law.has_slip_state()),
       leans_(law.leans()),
       earlier_(machine.ring_body() != nullptr, rotor_->length_scale) {
+  law.take_machine(machine);
   for (int k = 0; k < blades_->count(); ++k) {
     from_first_.push_back(blades_->direction(k, {1.0, 0.0}));
     numbers_.push_back(law.numbers(k));

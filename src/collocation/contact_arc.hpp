@@ -14,6 +14,7 @@
 /// gives up, and the point ends as `step_too_short`.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -24,11 +25,11 @@
 #include <span>
 #include <vector>
 
-#include "collocation/arc_law.hpp"
 #include "collocation/blades_in_contact.hpp"
 #include "collocation/earlier_contacts.hpp"
 #include "collocation/interval.hpp"
 #include "collocation/interval_samples.hpp"
+#include "collocation/law.hpp"
 #include "collocation/machine_in_time.hpp"
 #include "collocation/predictor.hpp"
 #include "rotor/bodies.hpp"
@@ -38,9 +39,9 @@ namespace rubatlas::collocation {
 
 class ContactArc {
  public:
-  /// `tolerance`: local error, accuracy.tolerance × δc [m]. Both must outlive the arc. A ring that moves is a
-  /// body.
-  ContactArc(const rotor::Machine& machine, ArcLaw& law, double tolerance);
+  /// `tolerance`: local error, accuracy.tolerance × δc [m]; `max_shortening`: of δ/L. Machine and law must
+  /// outlive the arc. A ring that moves is a body.
+  ContactArc(const rotor::Machine& machine, Law& law, double tolerance, double max_shortening);
   ContactArc(const ContactArc&) = delete;
   ContactArc& operator=(const ContactArc&) = delete;
 
@@ -120,7 +121,7 @@ class ContactArc {
   /// The last node is where the interval ends, but for what has been left where a guard was located.
   [[nodiscard]] bool ends_at_last_node() const;
   /// dτ/dθ, dp/dθ and dl/dθ of the leading blade there.
-  [[nodiscard]] ArcLaw::Tangent direction_at(double fraction) const;
+  [[nodiscard]] Law::Tangent direction_at(double fraction) const;
   /// er of a blade at a time, and where it stands.
   [[nodiscard]] contact::BladeDirection direction(int blade, double time) const {
     return blades_->direction(blade, blades_->first(time));
@@ -267,6 +268,10 @@ class ContactArc {
   [[nodiscard]] bool is_held_beyond_ring() const {
     return law_->releases_at_fold(leader()) && !is_straight(leader());
   }
+  /// Up to which δ/L its contact is valid.
+  [[nodiscard]] double valid_shortening(int blade) const {
+    return std::min(max_shortening_, law_->largest_shortening(blade));
+  }
   /// Slip to this side may reverse.
   [[nodiscard]] bool reverses(double slip) const { return law_->has_slip_state() && slip != 0.0; }
   [[nodiscard]] bool is_next_to_unbent(const Interval& interval) const;
@@ -299,8 +304,9 @@ class ContactArc {
   const rotor::Machine* whole_;
   const rotor::RotorConstants* rotor_;
   const rotor::BladeSet* blades_;
-  ArcLaw* law_;
+  Law* law_;
   double tolerance_;  ///< [m]
+  double max_shortening_;
   MachineInTime machine_;
   std::vector<Blade> numbers_;  ///< of the blades
   IntervalSolver solver_;
@@ -313,7 +319,7 @@ class ContactArc {
   double allowed_;        ///< error of a velocity between the nodes [m per unit τ]
   bool ring_keeps_load_;  ///< it yields to elastic blades in its own time
   bool friction_varies_;  ///< with the slip velocity
-  bool leans_;            ///< `ArcLaw::leans`
+  bool leans_;            ///< `Law::leans`
 
   bool begins_ = false;  ///< the next interval is the first of the contact
   Ending ending_;

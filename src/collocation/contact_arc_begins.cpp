@@ -163,7 +163,7 @@ bool ContactArc::begin_anew(std::size_t leader) {
   there.gap = gaps[leader];
   std::optional<Touch> found;
   if (std::abs(there.gap) > contact::gap_rounding(law_->geometry(leads.blade), there))
-    found = law_->open(leads, there, blades_->angular_speed(end_.time));
+    found = law_->in_equilibrium(leads, there, blades_->angular_speed(end_.time));
   leads = found.value_or(leads);
   lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, leader);
   std::rotate(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(leader),

@@ -76,7 +76,7 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
     look(guard, blade, left.start, left.nodes, 1.0);
   };
   for (std::size_t k = 0; k < tips_.size(); ++k) {
-    if (!(bounds_.tips[k].shortening < law_->valid_shortening(tips_[k].number)))
+    if (!(bounds_.tips[k].shortening < valid_shortening(tips_[k].number)))
       look_at_validity(Guard::shortening_limit, tips_[k].number);
   }
   if (!(bounds_.distance < machine().ring_radius)) look_at_validity(Guard::shaft_at_ring, kNoBlade);
@@ -107,7 +107,7 @@ ContactArc::Quantity ContactArc::validity_left(const Interval& interval, Guard g
     return result;
   }
   const TipInTime& tip = tip_of(interval, blade);
-  const double limit = law_->valid_shortening(blade);
+  const double limit = valid_shortening(blade);
   Quantity result{limit - tip.start_shortening, {}};
   for (std::size_t i = 0; i < kNodes; ++i) result.nodes[i] = limit - tip.shortening[i];
   return result;

@@ -27,7 +27,7 @@ bool ContactArc::stays_valid(const Ending& ending) const {
   for (std::size_t k = 0; k < tips_.size(); ++k) {
     const int blade = tips_[k].number;
     const bool limit_ends_it = ending.guard == Guard::shortening_limit && ending.blade == blade;
-    const bool stays_short = limit_ends_it || bounds_.tips[k].shortening < law_->valid_shortening(blade);
+    const bool stays_short = limit_ends_it || bounds_.tips[k].shortening < valid_shortening(blade);
     if (!stays_short || !keeps_slip(tips_[k], bounds_.tips[k].slip_velocity)) return false;
   }
   if (!(bounds_.cone_left > 0.0)) return false;

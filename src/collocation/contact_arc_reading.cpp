@@ -95,7 +95,7 @@ double ContactArc::nearer_to_top(int blade, const Point& there, const AtPlaces& 
   const double curvature =
       (value(fraction - kApart) - 2.0 * value(fraction) + value(fraction + kApart)) / (kApart * kApart);
   const double argument = bending_of(blade, there).argument;
-  const ArcLaw::Tangent tangent =
+  const Law::Tangent tangent =
       law_->tangent(touch_of(blade, there), pose(blade, there), blades_->angular_speed(there.time), {});
   double slope = tangent.argument / tangent.time * direction_at(fraction).time;
   if (blade != leader()) slope *= 2.0 * argument;
@@ -145,10 +145,10 @@ bool ContactArc::ends_at_last_node() const {
   return std::abs(end_.time - made().start_time - length) <= kLeft * std::abs(length);
 }
 
-ArcLaw::Tangent ContactArc::direction_at(double fraction) const {
+Law::Tangent ContactArc::direction_at(double fraction) const {
   const AtNodes basis = slope_basis_at(fraction);
-  ArcLaw::Tangent tangent{sum_of_products(basis, made().time_slope),
-                          sum_of_products(basis, made().argument_slope), 0.0};
+  Law::Tangent tangent{sum_of_products(basis, made().time_slope),
+                       sum_of_products(basis, made().argument_slope), 0.0};
   if (leans_) {
     const TipInTime& leading = made().leader();
     AtNodes slopes{};

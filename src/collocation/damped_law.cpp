@@ -3,30 +3,18 @@
 #include <array>
 
 namespace rubatlas::collocation {
-namespace {
-
-AxialLaw::Blades blades_of(const DampedLaw::Laws& laws, int blade_count) {
-  AxialLaw::Blades blades;
-  for (int k = 0; k < blade_count; ++k) blades.push_back(&laws.of(k).blade());
-  return blades;
-}
-
-}  // namespace
-
-DampedLaw::DampedLaw(const Laws& laws, int blade_count, double max_shortening)
-    : AxialLaw(blades_of(laws, blade_count), max_shortening), laws_(&laws) {}
-
 Blade DampedLaw::numbers(int blade) const {
-  const contact::ElasticRingContact& straight = laws_->of(blade).straight();
-  Blade numbers = AxialLaw::numbers(blade);
+  const contact::ElasticRingContact& straight = of(blade).straight();
+  Blade numbers = ArcsOfAxialLoads::numbers(blade);
   numbers.ring_stiffness = straight.stiffness();
   numbers.ring_damping = straight.damping();
   return numbers;
 }
 
 /// A new contact stands on the ring, which yields by as much as its tip is deep.
-std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at, double speed) const {
-  const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
+std::optional<Touch> DampedLaw::in_equilibrium(const Touch& touch, const contact::Pose& at,
+                                               double speed) const {
+  const contact::ElasticBladeOnDampedRing& law = of(touch.blade);
   Touch found = touch;
   if (touch.straight) {
     found.yielding = law.depth(at);
@@ -46,41 +34,41 @@ std::optional<Touch> DampedLaw::open(const Touch& touch, const contact::Pose& at
 }
 
 double DampedLaw::ring_opens(const Touch& touch, const contact::Pose& at, double speed) const {
-  const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
+  const contact::ElasticBladeOnDampedRing& law = of(touch.blade);
   return 2.0 * (law.geometry().ring_radius + touch.yielding) *
          law.yielding_rate(force(touch, at, speed).normal, touch.yielding);
 }
 
 BladeStart DampedLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
   if (touch.straight) {
-    const contact::ElasticBladeOnDampedRing& law = laws_->of(touch.blade);
+    const contact::ElasticBladeOnDampedRing& law = of(touch.blade);
     const contact::TipForce there = force(touch, at, speed);
     BladeStart start = starts(touch, there, there.normal / law.straight().stiffness());
     start.start_cone_left = law.bending_load(at, touch.slip, speed) - there.normal;
     return start;
   }
-  BladeStart start = AxialLaw::start(touch, at, speed);
+  BladeStart start = ArcsOfAxialLoads::start(touch, at, speed);
   start.ring_opens = ring_opens(touch, at, speed);
   return start;
 }
 
-ArcLaw::Tangent DampedLaw::tangent(const Touch& touch, const contact::Pose& at, double speed,
-                                   const std::complex<double>& acceleration) const {
+Law::Tangent DampedLaw::tangent(const Touch& touch, const contact::Pose& at, double speed,
+                                const std::complex<double>& acceleration) const {
   // The ring follows the load of a blade that has just bent in a moment, often within 1e-6: how p changes
   // at first says nothing of the arc. Then it changes as slowly as the load of the ring.
   if (touch.straight || touch.just_bent) return {1.0, 0.0, 0.0};
-  Tangent along = AxialLaw::tangent(touch, at, speed, acceleration);
+  Tangent along = ArcsOfAxialLoads::tangent(touch, at, speed, acceleration);
   along.argument -= ring_opens(touch, at, speed);
   return along;
 }
 
 contact::TipForce DampedLaw::force(const Touch& touch, const contact::Pose& at, double speed) const {
-  return touch.straight ? laws_->of(touch.blade).straight().force(at, touch.slip, speed)
-                        : AxialLaw::force(touch, at, speed);
+  return touch.straight ? of(touch.blade).straight().force(at, touch.slip, speed)
+                        : ArcsOfAxialLoads::force(touch, at, speed);
 }
 
 bool DampedLaw::solve(const Machine& machine, const Closeness& closeness, Interval& interval) const {
-  if (!AxialLaw::solve(machine, closeness, interval)) return false;
+  if (!ArcsOfAxialLoads::solve(machine, closeness, interval)) return false;
   for (TipInTime& tip : interval.tips) {
     if (tip.straight) find_bending_left(machine, interval, tip);
   }
@@ -89,7 +77,7 @@ bool DampedLaw::solve(const Machine& machine, const Closeness& closeness, Interv
 
 /// At the nodes the load that would bend a straight blade, less its own.
 void DampedLaw::find_bending_left(const Machine& machine, const Interval& interval, TipInTime& tip) const {
-  const contact::ElasticBladeOnDampedRing& law = laws_->of(tip.number);
+  const contact::ElasticBladeOnDampedRing& law = of(tip.number);
   const std::array<double, 2>& offset = tip.offset;
   const Body& shaft = interval.shaft;
   const Body& ring = interval.ring;
@@ -101,6 +89,21 @@ void DampedLaw::find_bending_left(const Machine& machine, const Interval& interv
                                            shaft.vx[i] - ring.vx[i], shaft.vy[i] - ring.vy[i]);
     tip.cone_left[i] = law.bending_load(at, tip.slip, interval.angular_speed[i]) - tip.normal_force[i];
   }
+}
+
+bool DampedLaw::open(const TipPlace& at, Touch& touch) const {
+  const auto& blade = of(touch.blade);
+  const double load = blade.straight().force(at.pose, touch.slip, at.speed).normal;
+  touch.straight = load < blade.bending_load(at.pose, touch.slip, at.speed);
+  return true;
+}
+
+bool DampedLaw::straightens(const TipPlace& at, Touch& touch) const {
+  const contact::TipForce force = of(touch.blade).straight().force(at.pose, touch.slip, at.speed);
+  if (touch.straight || !(force.normal > 0.0)) return false;
+  touch.straight = true;
+  touch.bending = 0.0;
+  return true;
 }
 
 }  // namespace rubatlas::collocation

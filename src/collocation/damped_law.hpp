@@ -1,5 +1,5 @@
-/// Elastic blades under an axial load, with Coulomb friction, on a ring with a damper under each tip, as an
-/// arc's law (MODEL 7.16). Under a blade that stands straight only the ring yields, as under a rigid one: its
+/// Elastic blades under an axial load, with Coulomb friction, on a ring with a damper under each tip (MODEL
+/// 7.16). Under a blade that stands straight only the ring yields, as under a rigid one: its
 /// p does not change, and an arc that it leads is a stretch of time.
 #pragma once
 
@@ -8,20 +8,17 @@
 
 #include "collocation/axial_law.hpp"
 #include "contact/damped_ring.hpp"
-#include "contact/unequal_blades.hpp"
 
 namespace rubatlas::collocation {
 
-class DampedLaw final : public AxialLaw {
+class DampedLaw final : public LawOfBlades<DampedLaw, contact::ElasticBladeOnDampedRing, ArcsOfAxialLoads> {
  public:
-  using Laws = contact::UnequalBlades<contact::ElasticBladeOnDampedRing>;
-  /// `laws` outlive it. `max_shortening`: of δ/L.
-  DampedLaw(const Laws& laws, int blade_count, double max_shortening);
+  using LawOfBlades::LawOfBlades;
 
   [[nodiscard]] Blade numbers(int blade) const override;
   [[nodiscard]] bool ends_at_ring() const override { return false; }
-  [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
-                                          double speed) const override;
+  [[nodiscard]] std::optional<Touch> in_equilibrium(const Touch& touch, const contact::Pose& at,
+                                                    double speed) const override;
   [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override;
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override;
@@ -30,11 +27,19 @@ class DampedLaw final : public AxialLaw {
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override;
 
+  /// On the receding side a blade stands straight while the ring's load is too small to bend it.
+  [[nodiscard]] bool open(const TipPlace& at, Touch& touch) const override;
+  /// A blade that has unbent to the ring's circle stays in contact where the ring pushes it.
+  [[nodiscard]] bool straightens(const TipPlace& at, Touch& touch) const override;
+
+ protected:
+  [[nodiscard]] const contact::ElasticaContact& elastica(int blade) const override {
+    return of(blade).blade();
+  }
+
  private:
   void find_bending_left(const Machine& machine, const Interval& interval, TipInTime& tip) const;
   [[nodiscard]] double ring_opens(const Touch& touch, const contact::Pose& at, double speed) const;
-
-  const Laws* laws_;
 };
 
 }  // namespace rubatlas::collocation

@@ -1,4 +1,5 @@
-/// Elastic blades under an inclined load, with any friction law, as an arc's law.
+/// Elastic blades under an inclined load, with any friction law. They have two unknowns, κ and φ, and the arc
+/// that begins finds both where a contact opens.
 #pragma once
 
 #include <algorithm>
@@ -9,33 +10,28 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "collocation/arc_law.hpp"
 #include "collocation/inclined_load.hpp"
+#include "collocation/law.hpp"
 #include "contact/directed_elastica.hpp"
-#include "contact/unequal_blades.hpp"
 
 namespace rubatlas::collocation {
 
-class InclinedLaw final : public ArcLaw {
+class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElastica> {
  public:
-  using Laws = contact::UnequalBlades<contact::DirectedElastica>;
-  /// `law` outlives it. `max_shortening`: of δ/L. `rests_at_once`: a tip that can rest does so where its slip
-  /// velocity comes to zero, else only where its reversals accumulate (MODEL 4.4).
-  InclinedLaw(const Laws& law, int blade_count, double max_shortening, bool rests_at_once = true)
-      : ArcLaw(law.of(0).friction()),
-        law_(&law),
-        max_shortening_(max_shortening),
-        may_slip_back_(has_slip_state() && !(rests_at_once && friction_.sticks)),
-        loads_(static_cast<std::size_t>(blade_count),
-               {.along_normal = law.of(0).direction() == contact::LoadDirection::normal,
-                .friction = friction_}) {}
+  /// `rests_at_once`: a tip that can rest does so where its slip velocity comes to zero, else only where its
+  /// reversals accumulate (MODEL 4.4).
+  explicit InclinedLaw(Blades blades, bool rests_at_once = true)
+      : LawOfBlades(std::move(blades)),
+        rests_at_once_(rests_at_once),
+        loads_(this->blades().count(),
+               {.along_normal = of(0).direction() == contact::LoadDirection::normal, .friction = friction_}) {
+  }
 
-  [[nodiscard]] contact::Geometry geometry(int blade) const override { return law_->of(blade).geometry(); }
-  [[nodiscard]] std::uint64_t evaluations() const override { return law_->evaluations(); }
   [[nodiscard]] Blade numbers(int blade) const override {
-    const auto& law = law_->of(blade);
+    const auto& law = of(blade);
     const blade::ElasticaCurve* const curve = law.curve();
     return {.table = curve != nullptr ? &curve->over_asinh() : nullptr,
             .reach = law.geometry().reach,
@@ -45,16 +41,16 @@ class InclinedLaw final : public ArcLaw {
             .strain_unit = law.strain_unit(),
             .friction = friction_.friction};
   }
-  [[nodiscard]] bool may_slip_back() const override { return may_slip_back_; }
+  [[nodiscard]] bool may_slip_back() const override { return has_slip_state() && !sticks(); }
+  [[nodiscard]] bool sticks() const override { return friction_.sticks && rests_at_once_; }
   [[nodiscard]] bool leans() const override { return true; }
   [[nodiscard]] bool has_branches(int /*blade*/) const override { return has_branches_; }
   [[nodiscard]] bool starts_unloaded(int blade, double /*slip*/, const contact::Pose& at) const override {
     return load_of(blade).side * at.tangential > 0.0;
   }
-  [[nodiscard]] double valid_shortening(int /*blade*/) const override { return max_shortening_; }
-  [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
-                                          double speed) const override {
-    const auto& law = law_->of(touch.blade);
+  [[nodiscard]] std::optional<Touch> in_equilibrium(const Touch& touch, const contact::Pose& at,
+                                                    double speed) const override {
+    const auto& law = of(touch.blade);
     Touch opened = touch;
     if (touch.slip == 0.0) {
       const auto rest = law.rest(at, speed, touch.bend);
@@ -92,14 +88,14 @@ class InclinedLaw final : public ArcLaw {
         load.along_normal || load.rests || !load.friction.has_slip_state() || load.side * touch.slip < 0.0;
     const double lean = lean_of(touch.bend);
     if (load.table == nullptr && touch.touches_down()) set_knots(load, lean);
-    deflection_per_square_ = law_->of(leader_).length() * load.deflection_per_square(lean);
+    deflection_per_square_ = of(leader_).length() * load.deflection_per_square(lean);
     return {argument_of(touch), lean};
   }
   [[nodiscard]] double side(const Touch& touch) const override {
     return std::copysign(1.0, touch.bend.modulus);
   }
   [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override {
-    const auto& law = law_->of(touch.blade);
+    const auto& law = of(touch.blade);
     const auto there = law.constraint(at, touch.slip, speed, touch.bend);
     // g/|D|, as h = 0 has it.
     const double deflection = std::abs(there.blade.deflection.value);
@@ -115,7 +111,7 @@ class InclinedLaw final : public ArcLaw {
   }
   [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
                                 const std::complex<double>& acceleration) const override {
-    const auto& law = law_->of(touch.blade);
+    const auto& law = of(touch.blade);
     const auto there = law.constraint(at, touch.slip, speed, touch.bend);
     const auto [modulus, amplitude] =
         there.against(law.drift(at, touch.slip, speed, {acceleration.real(), acceleration.imag()}, there));
@@ -145,7 +141,7 @@ class InclinedLaw final : public ArcLaw {
       start.lean.rate = along.lean / along.time;
     } else {
       // Where the blade begins to bend, g = (g/|D|) |D|, with |D| ~ p².
-      const auto& law = law_->of(touch.blade);
+      const auto& law = of(touch.blade);
       start.square.rate =
           contact::gap_rate(law.geometry(), at, speed) /
           (start.start_gap_measure * law.length() * start.load->deflection_per_square(start.start_lean));
@@ -169,7 +165,7 @@ class InclinedLaw final : public ArcLaw {
   }
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override {
-    const auto& law = law_->of(touch.blade);
+    const auto& law = of(touch.blade);
     return law.force_of(at, speed, law.constraint(at, touch.slip, speed, touch.bend));
   }
   [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
@@ -181,9 +177,32 @@ class InclinedLaw final : public ArcLaw {
             (bending.lean * rate - u * along.lean) / square};
   }
 
+  /// Snaps to another equilibrium on the side to which the blade is bent, or, where there is none, to one on
+  /// the other side.
+  [[nodiscard]] Standing snap(const TipPlace& at, Touch& touch) const override {
+    constexpr double kSame = 1e-3;  // of κ: a root so close to the fold is the one that ends there
+    const auto& law = of(touch.blade);
+    const double modulus = touch.bend.modulus;
+    const double side = std::copysign(1.0, modulus);
+    auto root = law.solve(at.pose, touch.slip, at.speed, side);
+    if (root && std::abs(root->modulus - modulus) < kSame * std::abs(modulus)) root = std::nullopt;
+    if (!root) root = law.solve(at.pose, touch.slip, at.speed, -side);
+    if (!root) return Standing::lost;
+    touch.bend = *root;
+    return Standing::stands;
+  }
+  bool respond(const TipPlace& at, Touch& touch, contact::TipForce& force) const override {
+    return of(touch.blade).respond(at.pose, touch.slip, at.speed, touch.bend, force);
+  }
+  /// None where friction depends on the slip velocity, or tips stick anyway.
+  [[nodiscard]] std::optional<contact::DirectedElastica> law_of_rest(int blade) const override {
+    if (!has_slip_state() || friction_.sticks) return std::nullopt;
+    return of(blade).with_friction(contact::Friction::sticking(friction_.friction, friction_.friction));
+  }
+
  private:
   [[nodiscard]] double holding(const Touch& touch, const contact::Pose& at) const override {
-    return law_->of(touch.blade).constraint(at, touch.slip, 0.0, touch.bend).coefficient;
+    return of(touch.blade).constraint(at, touch.slip, 0.0, touch.bend).coefficient;
   }
 
   static constexpr double kNear = 1e-3;    ///< of κ and φ: a bend that goes on differs by less
@@ -291,9 +310,7 @@ class InclinedLaw final : public ArcLaw {
     }
   }
 
-  const Laws* law_;
-  double max_shortening_;
-  bool may_slip_back_;
+  bool rests_at_once_;
   std::vector<InclinedLoad> loads_;  ///< of each blade, as it last began or went on
   int leader_ = 0;
   bool has_branches_ = true;  ///< of the leading blade

@@ -9,9 +9,9 @@
 #include <complex>
 #include <limits>
 
-#include "collocation/arc_law.hpp"
 #include "collocation/blades_in_contact.hpp"
 #include "collocation/interval.hpp"
+#include "collocation/law.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 
@@ -23,7 +23,7 @@ class Predictor {
   static constexpr double kUnknownError = std::numeric_limits<double>::infinity();
 
   /// Both must outlive the predictor.
-  Predictor(const rotor::Machine& machine, const ArcLaw& law)
+  Predictor(const rotor::Machine& machine, const Law& law)
       : rotor_(&machine.constants),
         law_(&law),
         leans_(law.leans()),
@@ -80,7 +80,7 @@ class Predictor {
   void begin_unloaded(const Start& start, double half, double rate, double curvature_of_gap);
 
   const rotor::RotorConstants* rotor_;
-  const ArcLaw* law_;
+  const Law* law_;
   bool leans_;
   double closing_unit_;  ///< acceleration between shaft and ring of one newton [m/N]
   double duration_ = 1.0;

@@ -1,5 +1,6 @@
-/// Rigid blades on a ring that yields under each tip, with any friction law, as an arc's law (MODEL 4.7). The
-/// force is a function of the tip's place and velocity: p is 1 throughout, and an arc is a stretch of time.
+/// Rigid blades on an elastic ring, with any friction law (MODEL 4.7): it yields under each tip, with a
+/// damper or without, or has no mass and stands where all blades push it. The force is a function of the
+/// tip's place and velocity: p is 1 throughout, and an arc is a stretch of time.
 #pragma once
 
 #include <algorithm>
@@ -7,33 +8,29 @@
 #include <optional>
 #include <span>
 
-#include "collocation/arc_law.hpp"
+#include "collocation/law.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/sticking.hpp"
-#include "contact/unequal_blades.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 #include "rotor/ring_balance.hpp"
 
 namespace rubatlas::collocation {
 
-class RigidLaw final : public ArcLaw {
+class RigidLaw final : public LawOfBlades<RigidLaw, contact::ElasticRingContact> {
  public:
-  using Laws = contact::UnequalBlades<contact::ElasticRingContact>;
-  /// Both outlive it.
-  RigidLaw(const Laws& law, const rotor::Machine& machine)
-      : ArcLaw(law.of(0).friction()), law_(&law), machine_(&machine) {}
+  using LawOfBlades::LawOfBlades;
 
+  void take_machine(const rotor::Machine& machine) override { machine_ = &machine; }
   [[nodiscard]] Blade numbers(int blade) const override {
-    const auto& law = law_->of(blade);
+    const auto& law = of(blade);
     return {.reach = law.geometry().reach,
             .closing = law.geometry().closing(),
             .ring_stiffness = law.stiffness(),
             .ring_damping = law.damping()};
   }
-  [[nodiscard]] contact::Geometry geometry(int blade) const override { return law_->of(blade).geometry(); }
   [[nodiscard]] bool is_rigid() const override { return true; }
-  [[nodiscard]] bool ends_at_ring() const override { return law_->of(0).damping() == 0.0; }
+  [[nodiscard]] bool ends_at_ring() const override { return of(0).damping() == 0.0; }
   /// With a ring without mass v jumps, and a tip that would slip back is beyond the model.
   [[nodiscard]] bool may_slip_back() const override {
     return has_slip_state() && !friction_.sticks && machine_->following_ring() == nullptr;
@@ -43,8 +40,8 @@ class RigidLaw final : public ArcLaw {
     return ends_at_ring();
   }
   /// A tip that moves inwards faster than a ring with dampers pushes it lifts off at once.
-  [[nodiscard]] std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
-                                          double speed) const override {
+  [[nodiscard]] std::optional<Touch> in_equilibrium(const Touch& touch, const contact::Pose& at,
+                                                    double speed) const override {
     if (is_free_at_once(touch, at, speed)) return std::nullopt;
     return touch;
   }
@@ -53,7 +50,7 @@ class RigidLaw final : public ArcLaw {
     const contact::TipForce there = force(touch, at, speed);
     const double load = there.normal * machine_->constants.force_unit;
     const double largest = contact::largest_at_rest(friction_);
-    BladeStart start = starts(touch, there, there.normal / law_->of(touch.blade).stiffness());
+    BladeStart start = starts(touch, there, there.normal / of(touch.blade).stiffness());
     start.start_cone_left = (largest * largest - touch.holding * touch.holding) * load * load;
     return start;
   }
@@ -70,7 +67,7 @@ class RigidLaw final : public ArcLaw {
   }
   [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
                                         double speed) const override {
-    contact::TipForce result = law_->of(touch.blade).force(at, touch.slip, speed);
+    contact::TipForce result = of(touch.blade).force(at, touch.slip, speed);
     if (touch.slip == 0.0) {
       const std::complex<double> tangent = contact::tangent(geometry(touch.blade), at);
       const double friction = touch.holding * result.normal;
@@ -82,8 +79,14 @@ class RigidLaw final : public ArcLaw {
   void place_ring(double time, std::span<const Touch> touching, rotor::ShaftAndRing& bodies) const override {
     if (machine_->following_ring() == nullptr) return;
     rotor::ContactState placed = rotor::full_state(bodies, time, 0.0);
-    if (rotor::RingBalance(*machine_, *law_, touching).place(placed)) bodies = rotor::bodies(placed);
+    if (rotor::RingBalance(*machine_, blades(), touching).place(placed)) bodies = rotor::bodies(placed);
   }
+
+  bool respond(const TipPlace& at, Touch& touch, contact::TipForce& force) const override {
+    force = of(touch.blade).force(at.pose, touch.slip, at.speed);
+    return true;
+  }
+  [[nodiscard]] bool knows_rest() const override { return true; }
 
  private:
   /// Whether the nodes see how friction passes through zero slip, within v0: else what it does there could
@@ -101,8 +104,7 @@ class RigidLaw final : public ArcLaw {
 
   static constexpr double kArgument = 1.0;  ///< p: not 0, from where a blade would begin to bend
 
-  const Laws* law_;
-  const rotor::Machine* machine_;
+  const rotor::Machine* machine_ = nullptr;
 };
 
 }  // namespace rubatlas::collocation

@@ -23,8 +23,8 @@
 #include "compared/guards.hpp"
 #include "compared/kind_of_law.hpp"
 #include "contact/tip.hpp"
-#include "modes/law.hpp"
 #include "modes/phase.hpp"
+#include "modes/rest_judge.hpp"
 #include "modes/seen_tip.hpp"
 #include "modes/tip_places.hpp"
 #include "modes/work_meter.hpp"
@@ -65,7 +65,7 @@ class ContactMode : public TipPlaces {
 
   static constexpr double kSmallestSize = 1e-15;  ///< in σ
   /// A tip whose slip velocity comes to zero may rest at once, as in MODEL 7.14.
-  [[nodiscard]] bool rests_at_once() const { return kind_.sticks(); }
+  [[nodiscard]] bool rests_at_once() const { return law_->sticks(); }
   /// The contacts of `trajectory::PathPoint` say how far blades are bent.
   static constexpr bool kBendsFollowPath = false;
 
@@ -163,7 +163,7 @@ class ContactMode : public TipPlaces {
   /// c [-] of an open contact under `force` in a state.
   [[nodiscard]] double friction_of(std::size_t contact, const contact::TipForce& force,
                                    const FullState& /*state*/) const {
-    return law_->friction_coefficient(contacts_[contact].blade, force, contacts_[contact].slip);
+    return law_->friction().coefficient(force.slip_velocity, contacts_[contact].slip);
   }
   /// What such a contact does to the rotor.
   [[nodiscard]] trajectory::ContactForce on_rotor(std::size_t contact, const contact::TipForce& force,
@@ -202,9 +202,7 @@ class ContactMode : public TipPlaces {
   }
   /// Searches without a table can take milliseconds for many blades, and are paid for at once. False where no
   /// work is left.
-  bool pay_curves() const {
-    return !law_->searches_long() || meter_->spend(Work::contact, price_of_curves());
-  }
+  bool pay_curves() const { return !law_->leans() || meter_->spend(Work::contact, price_of_curves()); }
   /// Finds the force of a contact and pays for it. False where there is none, or no work left.
   bool respond_paid(const TipPlace& at, OpenContact& contact, contact::TipForce& force) {
     const bool found = law_->respond(at, contact, force);
@@ -279,11 +277,11 @@ class ContactMode : public TipPlaces {
   /// Guards of the slip of an open contact that is not at rest.
   template <class Mode, class Search>
   static void slip_guard(const Mode& mode, Search& search, std::size_t contact, bool lasts) {
-    if (!mode.kind_.has_slip_state()) return;
+    if (!mode.law_->has_slip_state()) return;
     if (mode.rests_at_once()) return slip_comes_to_rest(mode, search, contact, lasts);
     // Beside a tip at rest each force is searched for anew, which may take a thousand times as long as to
     // carry it: v is taken to turn round once in a step at most.
-    if (mode.kind_.sticks()) {
+    if (mode.law_->sticks()) {
       const WatchedBlade& blade = search.of_contact(contact);
       if (blade.slip_velocity * blade.end_slip_velocity > 0.0) return;
     }

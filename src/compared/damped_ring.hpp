@@ -14,12 +14,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "collocation/damped_law.hpp"
 #include "compared/contact_mode.hpp"
 #include "compared/guards.hpp"
 #include "compared/solved.hpp"
 #include "contact/damped_ring.hpp"
 #include "contact/tip.hpp"
-#include "modes/laws.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::compared {
@@ -138,7 +138,7 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
 
  private:
   [[nodiscard]] const contact::ElasticBladeOnDampedRing& of(int blade) const {
-    return static_cast<const LawOfDampedRing&>(*law_).of(blade);
+    return static_cast<const collocation::DampedLaw&>(*law_).of(blade);
   }
   [[nodiscard]] static Eigen::Index place_of(std::size_t contact) {
     return rotor::kFirstBend + static_cast<Eigen::Index>(contact);

@@ -1,11 +1,10 @@
-/// What steps have to know of a kind of law. Collocation asks the law of its arcs
-/// (`collocation/arc_law.hpp`).
+/// What steps have to know of a kind of law besides what its arcs do.
 #pragma once
 
 #include <cstdint>
 
+#include "collocation/axial_law.hpp"
 #include "contact/pose.hpp"
-#include "modes/laws.hpp"
 #include "modes/phase.hpp"
 #include "modes/work_meter.hpp"
 
@@ -13,34 +12,23 @@ namespace rubatlas::compared {
 
 class KindOfLaw {
  public:
-  explicit KindOfLaw(const modes::Law& law)
-      : rigid_(dynamic_cast<const modes::LawOfRigidBlades*>(&law)),
-        inclined_(dynamic_cast<const modes::LawOfInclinedLoads*>(&law)),
-        axial_(dynamic_cast<const modes::LawOfAxialLoads*>(&law)) {}
+  explicit KindOfLaw(const collocation::Law& law)
+      : law_(&law), axial_(dynamic_cast<const collocation::AxialLaw*>(&law)) {}
 
-  /// Friction takes its sign from s, so that a slip reversal is an event.
-  [[nodiscard]] bool has_slip_state() const {
-    if (rigid_ != nullptr) return rigid_->of(0).friction().has_slip_state();
-    return inclined_ == nullptr || inclined_->of(0).friction().has_slip_state();
-  }
-  /// A tip whose slip velocity comes to zero may rest at once (MODEL 7.14).
-  [[nodiscard]] bool sticks() const {
-    return rigid_ != nullptr ? rigid_->sticks() : inclined_ != nullptr && inclined_->sticks();
-  }
   /// The force follows from the place of the tip alone, and nothing bends.
-  [[nodiscard]] bool load_follows_gap() const { return rigid_ != nullptr && rigid_->of(0).damping() == 0.0; }
+  [[nodiscard]] bool load_follows_gap() const { return law_->is_rigid() && law_->ends_at_ring(); }
   /// The last bending says on which branch or side a blade stands.
-  [[nodiscard]] bool remembers() const { return inclined_ != nullptr || axial_ != nullptr; }
+  [[nodiscard]] bool remembers() const { return law_->leans() || axial_ != nullptr; }
   /// Of an evaluation of a blade's curve [ns].
   [[nodiscard]] std::int64_t price_of_curve() const {
-    return inclined_ != nullptr ? modes::WorkPrice::kInclinedCurve : modes::WorkPrice::kCurve;
+    return law_->leans() ? modes::WorkPrice::kInclinedCurve : modes::WorkPrice::kCurve;
   }
 
-  [[nodiscard]] bool has_branches() const { return axial_ != nullptr && axial_->of(0).has_branches(); }
+  [[nodiscard]] bool has_branches() const { return axial_ != nullptr && axial_->has_branches(0); }
   /// What it means that a blade finds no force: the branch on which it stands has come to its end.
   [[nodiscard]] modes::ModeEnd without_force(int blade) const {
-    if (inclined_ != nullptr || has_branches()) return {modes::Guard::snap, blade};
-    if (axial_ != nullptr && axial_->releases_at_fold(blade)) return {modes::Guard::lift_off, blade};
+    if (law_->leans() || has_branches()) return {modes::Guard::snap, blade};
+    if (law_->releases_at_fold(blade)) return {modes::Guard::lift_off, blade};
     return {modes::Guard::left_validity, -1, ending::StatusDetail::no_equilibrium};
   }
   /// Whether the force of a contact vanishes with the gap where its tip stands.
@@ -56,10 +44,8 @@ class KindOfLaw {
   }
 
  private:
-  // The one of these that it is.
-  const modes::LawOfRigidBlades* rigid_;
-  const modes::LawOfInclinedLoads* inclined_;
-  const modes::LawOfAxialLoads* axial_;
+  const collocation::Law* law_;
+  const collocation::AxialLaw* axial_;  ///< null: of another kind
 };
 
 }  // namespace rubatlas::compared

@@ -3,10 +3,11 @@
 // neither the pair nor the increment: Fehlberg's 4(5), whose solution is of order 4, and the increment of the
 // scene.
 
+#include "collocation/axial_law.hpp"
+#include "collocation/rigid_law.hpp"
 #include "compared/raised_force.hpp"
 #include "compared/stepped_method.hpp"
 #include "integrate/fehlberg_45.hpp"
-#include "modes/laws.hpp"
 
 namespace rubatlas::assembly {
 namespace {
@@ -15,14 +16,14 @@ struct Paper {
   using Table = integrate::Fehlberg45;
   struct Search {
     double increment;  ///< dF [N]
-    bool operator()(const modes::Law& law, const modes::TipPlace& at, const modes::OpenContact& contact,
+    bool operator()(const collocation::Law& law, const modes::TipPlace& at, const modes::OpenContact& contact,
                     contact::TipForce& force) const {
       const auto respond = [&](const auto& blade) {
         return compared::raise_force(blade, at.pose, contact.slip, at.speed, increment, force);
       };
-      if (const auto* rigid = dynamic_cast<const modes::LawOfRigidBlades*>(&law))
+      if (const auto* rigid = dynamic_cast<const collocation::RigidLaw*>(&law))
         return respond(rigid->of(contact.blade));
-      return respond(dynamic_cast<const modes::LawOfAxialLoads&>(law).of(contact.blade));
+      return respond(dynamic_cast<const collocation::AxialLaw&>(law).of(contact.blade));
     }
   };
   static constexpr bool kAdaptive = true;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "collocation/damped_law.hpp"
+#include "collocation/rigid_law.hpp"
 #include "compared/contact_phase.hpp"
 #include "compared/damped_ring.hpp"
 #include "compared/following_ring.hpp"
@@ -9,7 +11,6 @@
 #include "compared/solved.hpp"
 #include "compared/sticking.hpp"
 #include "compared/sticking_elastic.hpp"
-#include "modes/laws.hpp"
 
 namespace rubatlas::compared {
 namespace {
@@ -20,11 +21,11 @@ class PhasesInSteps final : public modes::ContactPhases {
   PhasesInSteps(const ContactSetup& setup, const integrate::Tableau& pair) : setup_(setup), pair_(pair) {}
 
   Phase& of(const std::vector<OpenContact>& contacts) override {
-    const auto* rigid = dynamic_cast<const modes::LawOfRigidBlades*>(setup_.law);
+    const auto* rigid = dynamic_cast<const collocation::RigidLaw*>(setup_.law);
     if (std::ranges::count(contacts, 0.0, &OpenContact::slip) > 0)
       return rigid != nullptr ? made<Sticking>(resting_) : made<StickingElastic>(resting_);
     if (std::ranges::count(contacts, true, &OpenContact::skims) > 0) return made<Skimming>(skimming_);
-    if (dynamic_cast<const modes::LawOfDampedRing*>(setup_.law) != nullptr)
+    if (dynamic_cast<const collocation::DampedLaw*>(setup_.law) != nullptr)
       return made<YieldingDampedRing>(slipping_);
     if (rigid != nullptr && rigid->of(0).damping() > 0.0) return made<DampedRing>(slipping_);
     if (rigid != nullptr && setup_.machine->following_ring() != nullptr)

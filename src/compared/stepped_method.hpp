@@ -20,7 +20,7 @@ std::unique_ptr<point::LineSolver> stepped_solver(const assembly::LineRequest& r
   return point::solver_of_motions(
       request.line,
       [line = request.line, kind = request.combination.machine,
-       law = std::shared_ptr<const modes::Law>(assembly::law_of(request))](
+       law = std::shared_ptr<const collocation::Law>(assembly::law_of(request))](
           double speed_ratio, std::span<const double> lost) -> std::unique_ptr<motion::PointMotion> {
         rotor::Machine machine = assembly::machine_of(line, kind, speed_ratio);
         const SteppedLimits limits{line.accuracy.tolerance * machine.constants.length_scale,

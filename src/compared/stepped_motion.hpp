@@ -42,7 +42,7 @@ struct SteppedLimits {
 template <class Scheme>
 class SteppedMotion final : public motion::PointMotion, public trajectory::MotionPiece {
  public:
-  SteppedMotion(rotor::Machine machine, std::unique_ptr<modes::Law> law, typename Scheme::Search search,
+  SteppedMotion(rotor::Machine machine, std::unique_ptr<collocation::Law> law, typename Scheme::Search search,
                 const SteppedLimits& limits)
       : machine_(std::move(machine)),
         law_(std::move(law)),
@@ -120,7 +120,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
     const contact::BladeDirection er =
         machine_.blades.direction(blade(contact), machine_.blades.first(full[kSteppedTime]));
     const double slip = before_[k].slip;
-    return modes::contact_force(force, slip, law_->friction_coefficient(blade(contact), force, slip), er,
+    return modes::contact_force(force, slip, law_->friction().coefficient(force.slip_velocity, slip), er,
                                 system_.pose(k, full), machine_.constants.speed_ratio);
   }
   [[nodiscard]] trajectory::Tip tip(int blade, double time) override {
@@ -290,7 +290,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
   }
 
   rotor::Machine machine_;
-  std::unique_ptr<modes::Law> law_;
+  std::unique_ptr<collocation::Law> law_;
   SteppedLimits limits_;
   double steps_in_revolution_;  ///< of the longest step, a whole number
   System system_;

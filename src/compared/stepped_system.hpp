@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "contact/tip.hpp"
-#include "modes/law.hpp"
+#include "modes/rest_judge.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::compared {
@@ -37,7 +37,7 @@ struct SteppedBlade {
 template <class Search, bool kFrozen>
 class SteppedSystem {
  public:
-  SteppedSystem(const rotor::Machine& machine, const modes::Law& law, Search search)
+  SteppedSystem(const rotor::Machine& machine, const collocation::Law& law, Search search)
       : machine_(&machine),
         rotor_(&machine.constants),
         directions_(&machine.blades),
@@ -122,7 +122,7 @@ class SteppedSystem {
   const rotor::Machine* machine_;
   const rotor::RotorConstants* rotor_;
   const rotor::BladeSet* directions_;
-  const modes::Law* law_;
+  const collocation::Law* law_;
   Search search_;
   std::vector<SteppedBlade> blades_;
   std::uint64_t evaluations_ = 0;
@@ -130,7 +130,7 @@ class SteppedSystem {
 
 /// The root of the contact equation, as accurate as numbers allow.
 struct SolvedForce {
-  bool operator()(const modes::Law& law, const modes::TipPlace& at, modes::OpenContact& contact,
+  bool operator()(const collocation::Law& law, const modes::TipPlace& at, modes::OpenContact& contact,
                   contact::TipForce& force) const {
     return law.respond(at, contact, force);
   }

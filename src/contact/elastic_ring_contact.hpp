@@ -1,6 +1,8 @@
 /// Contact law `elastic_ring`: rigid blades, and a massless ring that yields under each tip (MODEL 4.7).
 #pragma once
 
+#include <cstdint>
+
 #include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
 #include "contact/tip.hpp"
@@ -20,6 +22,8 @@ class ElasticRingContact {
   [[nodiscard]] const Friction& friction() const { return friction_; }
   [[nodiscard]] double stiffness() const { return stiffness_; }  ///< kr [N/m]
   [[nodiscard]] double damping() const { return damping_; }      ///< cr ωn [N per (m per unit τ)]
+  /// Rigid blades have no curve.
+  [[nodiscard]] static std::uint64_t evaluations() { return 0; }
   /// The same blade, shorter at its tip by `lost` [m].
   [[nodiscard]] ElasticRingContact shortened(double lost) const {
     return {geometry_.shortened(lost), stiffness_, friction_, damping_};

@@ -18,6 +18,7 @@ class UnequalBlades {
   /// One law for each blade.
   explicit UnequalBlades(std::vector<Law> blades) : blades_(std::move(blades)) {}
 
+  [[nodiscard]] std::size_t count() const { return blades_.size(); }
   [[nodiscard]] const Law& of(int blade) const { return blades_[static_cast<std::size_t>(blade)]; }
 
   /// The same blades, each shorter by what it has lost at its tip [m].
@@ -30,8 +31,7 @@ class UnequalBlades {
   }
 
   /// How often the curves of all blades have been evaluated.
-  [[nodiscard]] std::uint64_t evaluations() const requires requires(const Law& law) { law.evaluations(); }
-  {
+  [[nodiscard]] std::uint64_t evaluations() const {
     std::uint64_t sum = 0;
     for (const Law& blade : blades_) sum += blade.evaluations();
     return sum;

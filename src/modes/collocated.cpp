@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 
-#include "modes/law.hpp"
 #include "modes/phase.hpp"
+#include "modes/rest_judge.hpp"
 #include "modes/seen_tip.hpp"
 
 namespace rubatlas::modes {
 
 std::unique_ptr<ContactPhases> phases_on_arcs(const ContactSetup& setup) {
-  return std::make_unique<Collocated>(setup, setup.law->arcs(*setup.machine, setup.limits.max_shortening));
+  return std::make_unique<Collocated>(setup);
 }
 
 ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& state,
@@ -24,7 +25,7 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
   for (OpenContact& open : contacts_) {
     const contact::Pose at = arc_.pose(open.blade, {.time = time, .bodies = state, .bending = {}});
     const double speed = angular_speed(time);
-    if (const auto found = law_->open(open, at, speed)) {
+    if (const auto found = law_->in_equilibrium(open, at, speed)) {
       open = *found;
       continue;
     }
@@ -41,8 +42,9 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
     }
     break;
   }
-  setup_.meter->spend(Work::contact, static_cast<std::int64_t>(law_->evaluations() - evaluations) *
-                                         WorkPrice::kInclinedCurve);
+  if (law_->leans())
+    setup_.meter->spend(Work::contact, static_cast<std::int64_t>(law_->evaluations() - evaluations) *
+                                           WorkPrice::kInclinedCurve);
   if (at_once_) return StatusDetail::none;
   arc_.begin(time, state, contacts_);
   if (!arc_.starts_within_ring()) return StatusDetail::shaft_at_ring;
@@ -239,7 +241,7 @@ void Collocated::path(double share, trajectory::PathPoint& point,
   const bool explicit_force =
       law_->is_rigid() || std::ranges::count(contacts_, true, &OpenContact::straight) > 0;
   Point there = explicit_force ? arc_.solved_at_fraction(fraction) : arc_.point_at(fraction);
-  const collocation::ArcLaw::Tangent rate = arc_.direction_at(fraction);
+  const collocation::Law::Tangent rate = arc_.direction_at(fraction);
   point.time = there.time;
   point.time_rate = length * rate.time;
   point.state = rotor::as_array(rotor::shaft(there.bodies));
@@ -253,8 +255,8 @@ void Collocated::path(double share, trajectory::PathPoint& point,
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const OpenContact open = arc_.touch_of(blade(i), there);
     const bool leads = open.blade == arc_.leader();
-    const collocation::ArcLaw::Rates rates =
-        leads ? law_->rates(there.bending, rate) : collocation::ArcLaw::Rates{};
+    const collocation::Law::Rates rates =
+        leads ? law_->rates(there.bending, rate) : collocation::Law::Rates{};
     point.contacts.push_back({open.blade, open.slip, open.bending, length * rates.bending, leads,
                               open.bend.modulus, open.bend.amplitude, length * rates.modulus,
                               length * rates.amplitude});

@@ -4,14 +4,13 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "collocation/arc_law.hpp"
 #include "collocation/contact_arc.hpp"
+#include "collocation/law.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/phase.hpp"
 #include "rotor/bodies.hpp"
@@ -23,10 +22,10 @@ namespace rubatlas::modes {
 /// One phase for all contacts of a motion.
 class Collocated final : public Phase, public ContactPhases {
  public:
-  Collocated(const ContactSetup& setup, std::unique_ptr<collocation::ArcLaw> law)
+  explicit Collocated(const ContactSetup& setup)
       : setup_(setup),
-        law_(std::move(law)),
-        arc_(*setup.machine, *law_, setup.limits.tolerance),
+        law_(setup.law),
+        arc_(*setup.machine, *setup.law, setup.limits.tolerance, setup.limits.max_shortening),
         most_bent_of_blades_(static_cast<std::size_t>(setup.machine->blades.count())) {}
 
   ending::StatusDetail start(double time, const rotor::ShaftAndRing& state,
@@ -91,7 +90,7 @@ class Collocated final : public Phase, public ContactPhases {
   [[nodiscard]] double angular_speed(double time) const { return setup_.machine->blades.angular_speed(time); }
 
   ContactSetup setup_;
-  std::unique_ptr<collocation::ArcLaw> law_;
+  const Law* law_;
   collocation::ContactArc arc_;
   std::vector<OpenContact> contacts_;  ///< where they began
   End start_{};                        ///< where they began

@@ -3,16 +3,23 @@
 #include <complex>
 #include <utility>
 
+#include "modes/rest_of_rigid_blades.hpp"
+
 namespace rubatlas::modes {
 
 ContactModes::ContactModes(const rotor::Machine& machine, std::unique_ptr<Law> law,
                            const ContactLimits& limits, WorkMeter& meter, MakePhases* make_phases)
     : TipPlaces({&machine, law.get(), limits, &meter}),
       own_law_(std::move(law)),
-      setup_{&machine, law_, limits, &meter},
+      setup_{&machine, own_law_.get(), limits, &meter},
       make_phases_(make_phases) {
   if (law_->may_skim()) skimming_judge_.emplace(setup_);
-  judge_ = law_->rest_judge(setup_);
+  if (law_->sticks()) {
+    if (law_->is_rigid())
+      judge_ = std::make_unique<RestOfRigidBlades>(setup_);
+    else
+      judge_ = std::make_unique<RestOfElasticBlades>(setup_);
+  }
   std::vector<contact::DirectedElastica> at_rest;
   for (int k = 0; k < machine.blades.count(); ++k) {
     if (auto law_of_rest = law_->law_of_rest(k)) at_rest.push_back(std::move(*law_of_rest));
@@ -43,7 +50,7 @@ void ContactModes::set_out_from_rest(rotor::ShaftAndRing& state, const TipPlace&
   if (!(contact.slip * force.slip_velocity < 0.0)) return;
   // The force is −F (n + c t), t = i n.
   const contact::BladeDirection er = blades().direction(contact.blade, blades().first(time));
-  const double coefficient = law_->friction_coefficient(contact.blade, force, contact.slip);
+  const double coefficient = law_->friction().coefficient(force.slip_velocity, contact.slip);
   const std::complex<double> tangent =
       -contact::on_rotor(force, er) / (force.normal * std::complex<double>(coefficient, -1.0));
   state[2] -= force.slip_velocity * tangent.real();

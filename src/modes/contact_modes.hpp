@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "modes/laws.hpp"
+#include "collocation/inclined_law.hpp"
 #include "modes/phase.hpp"
 #include "modes/rest_of_elastic_blades.hpp"
 #include "modes/ring_placer.hpp"
@@ -48,7 +48,7 @@ class ContactModes : public TipPlaces {
 
   /// Price of all searches for equilibria up to now; nothing where they are short [ns].
   [[nodiscard]] std::int64_t price_of_searches() const {
-    if (!law_->searches_long()) return 0;
+    if (!law_->leans()) return 0;
     return static_cast<std::int64_t>(law_->evaluations()) * WorkPrice::kInclinedCurve;
   }
 
@@ -86,11 +86,11 @@ class ContactModes : public TipPlaces {
   /// Tips that always slip, and come to rest where their slip reversals accumulate, under another law.
   struct TipsAtRest {
     /// `slipping`: what the modes of the slipping tips are made from.
-    TipsAtRest(LawOfInclinedLoads::Blades blades, const ContactSetup& slipping)
+    TipsAtRest(collocation::InclinedLaw::Blades blades, const ContactSetup& slipping)
         : law(std::move(blades), false),
           setup{slipping.machine, &law, slipping.limits, slipping.meter},
           judge(setup) {}
-    LawOfInclinedLoads law;
+    collocation::InclinedLaw law;
     ContactSetup setup;
     RestOfElasticBlades judge;  ///< points at the law
   };

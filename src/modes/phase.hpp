@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "ending/status.hpp"
-#include "modes/law.hpp"
 #include "modes/motion_listener.hpp"
+#include "modes/rest_judge.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
@@ -83,14 +83,13 @@ struct ContactLimits {
 /// What the modes of one motion share; all of it outlives them.
 struct ContactSetup {
   const rotor::Machine* machine;
-  const Law* law;
+  Law* law;
   ContactLimits limits;
   WorkMeter* meter;
 };
 
 using MakePhases = std::unique_ptr<ContactPhases>(const ContactSetup&);
-/// By collocation (`Collocated`), which has one phase for all contacts. The law has arcs (`Law::arcs`);
-/// throws `std::logic_error` where it has none.
+/// By collocation (`Collocated`), which has one phase for all contacts.
 MakePhases phases_on_arcs;
 
 }  // namespace rubatlas::modes

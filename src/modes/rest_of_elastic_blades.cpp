@@ -4,16 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include "collocation/inclined_law.hpp"
 #include "contact/friction_law.hpp"
 #include "contact/sticking_elastica.hpp"
 #include "contact/tip.hpp"
-#include "modes/laws.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
 
 const contact::DirectedElastica& RestOfElasticBlades::of(int blade) const {
-  return static_cast<const LawOfInclinedLoads&>(*law_).of(blade);
+  return static_cast<const collocation::InclinedLaw&>(*law_).of(blade);
 }
 
 bool RestOfElasticBlades::settle(const State& state, std::vector<OpenContact>& contacts) {

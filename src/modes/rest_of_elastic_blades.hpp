@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "contact/directed_elastica.hpp"
-#include "modes/law.hpp"
+#include "modes/rest_judge.hpp"
 #include "modes/tip_places.hpp"
 #include "rotor/bodies.hpp"
 

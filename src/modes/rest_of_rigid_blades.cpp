@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "modes/laws.hpp"
 #include "rotor/constants.hpp"
 
 namespace rubatlas::modes {
@@ -47,14 +46,12 @@ RestOfRigidBlades::Slipping RestOfRigidBlades::slipping(OpenContact contact, con
 
 RestOfRigidBlades::AtRest RestOfRigidBlades::at_rest(Contacts contacts, std::size_t contact,
                                                      const Slipping& at) const {
-  const contact::ElasticRingContact& law =
-      static_cast<const LawOfRigidBlades&>(*law_).of(contacts[contact].blade);
   const std::complex<double> er(at.direction.cosine, at.direction.sine);
   return {.contact = contact,
           .direction = er,
-          .tangent = er * contact::tangent(law.geometry(), at.pose),
+          .tangent = er * contact::tangent(law_->geometry(contacts[contact].blade), at.pose),
           .load = at.force.normal * rotor().force_unit,
-          .largest = contact::largest_at_rest(law.friction())};
+          .largest = contact::largest_at_rest(law_->friction())};
 }
 
 RestOfRigidBlades::Balance RestOfRigidBlades::balance(const State& state, Contacts contacts) const {

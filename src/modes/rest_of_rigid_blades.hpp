@@ -16,7 +16,7 @@
 
 #include "contact/sticking.hpp"
 #include "contact/tip.hpp"
-#include "modes/law.hpp"
+#include "modes/rest_judge.hpp"
 #include "modes/tip_places.hpp"
 #include "rotor/bodies.hpp"
 

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "collocation/rigid_law.hpp"
 #include "contact/tip.hpp"
-#include "modes/laws.hpp"
 #include "rotor/ring_balance.hpp"
 
 namespace rubatlas::modes {
 
 bool RingPlacer::place(State& state, const std::vector<OpenContact>& contacts) const {
-  return rotor::RingBalance(machine(), static_cast<const LawOfRigidBlades&>(*law_).blades(), contacts)
+  return rotor::RingBalance(machine(), static_cast<const collocation::RigidLaw&>(*law_).blades(), contacts)
       .place(state);
 }
 

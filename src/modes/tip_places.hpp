@@ -2,8 +2,8 @@
 #pragma once
 
 #include "contact/pose.hpp"
-#include "modes/law.hpp"
 #include "modes/phase.hpp"
+#include "modes/rest_judge.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
 #include "rotor/machine.hpp"

@@ -293,7 +293,7 @@ ending::StatusDetail Motion::touch_down(int blade, modes::MotionListener& listen
   // It is at the ring: what rounding leaves of the gap of a fast tip would bend a blade, or end its contact.
   modes::TipPlace at = place(blade);
   const bool off_ring = std::abs(at.pose.gap) > contact::gap_rounding(law().geometry(blade), at.pose);
-  if (off_ring && !law().lifts_off_inside()) at.pose.gap = 0.0;
+  if (off_ring && law().ends_at_ring()) at.pose.gap = 0.0;
   if (!open(blade, at)) return ending::StatusDetail::no_equilibrium;
   const ending::StatusDetail settled = settle_others(blade, listener);
   tell(listener, modes::Guard::touch_down, blade, contacts_.back().slip);

@@ -10,6 +10,7 @@ ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 # The one table of who depends on whom, in the order of the flow: a folder sees itself and what stands here, a folder
 # with all that is in it or one header. The folder that it lies in stands for the files there, not for the folders
 # beside it.
+LAWS = [f"collocation/{name}.hpp" for name in ("law", "axial_law", "damped_law", "inclined_law", "rigid_law")]
 MAY_INCLUDE = {
     "src/settings/effects": ["settings/range.hpp"],
     "src/settings": ["settings/effects"],
@@ -27,10 +28,10 @@ MAY_INCLUDE = {
     "src/motion": ["settings", "rotor", "trajectory", "modes", "ending"],
     "src/point": ["settings", "rotor", "trajectory", "variation", "observables", "modes/motion_listener.hpp",
                   "modes/work_meter.hpp", "motion", "ending", "integrate/decompositions.hpp"],
-    "src/assembly": ["settings", "plan", "blade", "contact", "rotor", "integrate", "variation", "modes", "motion",
-                     "point"],
-    "src/compared": ["settings", "contact", "rotor", "integrate", "trajectory", "modes", "motion", "ending", "point",
-                     "assembly"],
+    "src/assembly": ["settings", "plan", "blade", "contact", "rotor", "integrate", *LAWS, "variation", "modes",
+                     "motion", "point"],
+    "src/compared": ["settings", "contact", "rotor", "integrate", *LAWS, "trajectory", "modes", "motion", "ending",
+                     "point", "assembly"],
     "src/branch": ["settings", "plan", "integrate", "contact/pose.hpp", "rotor", "variation/parts_of_scene.hpp",
                    "observables/grazing.hpp", "point", "assembly"],
     "src/atlas": ["settings", "plan", "observables", "point/line_solver.hpp", "ending", "branch/branch.hpp"],

@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
+#include "collocation/axial_law.hpp"
 #include "compared/solved.hpp"
 #include "contact/elastica_contact.hpp"
-#include "modes/laws.hpp"
 #include "rotor/machine.hpp"
 
 namespace rubatlas::bench {
@@ -63,7 +63,7 @@ class ContactRotor {
   [[nodiscard]] double slip(const contact::Pose& at) const;
 
   rotor::Machine machine_;
-  modes::LawOfAxialLoads law_;
+  collocation::AxialLaw law_;
   modes::WorkMeter meter_{kNoBound};
   compared::Solved system_;
   std::vector<bool> open_;

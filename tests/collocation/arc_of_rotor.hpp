@@ -18,10 +18,8 @@ struct ArcOfRotor {
       : machine(machine_of(rotor, rotor::BladeSet(blade_count, rotor.speed_ratio),
                            rotor::Harmonics(unbalance != nullptr ? std::vector{*unbalance}
                                                                  : std::vector<rotor::Harmonic>{}))),
-        blade(law),
-        law_of_arc(collocation::AxialLaw::Blades(static_cast<std::size_t>(blade_count), &blade),
-                   kMaxShortening),
-        arc(machine, law_of_arc, tolerance) {}
+        law_of_arc(laws_of(law, blade_count)),
+        arc(machine, law_of_arc, tolerance, kMaxShortening) {}
   ArcOfRotor(const ArcOfRotor&) = delete;
   ArcOfRotor& operator=(const ArcOfRotor&) = delete;
 
@@ -37,7 +35,6 @@ struct ArcOfRotor {
 
   rotor::Machine machine;
   static constexpr double kMaxShortening = 0.5;
-  contact::ElasticaContact blade;
   collocation::AxialLaw law_of_arc;
   collocation::ContactArc arc;
 };

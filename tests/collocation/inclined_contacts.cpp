@@ -100,13 +100,12 @@ InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, Mak
     const auto contacts = contacts_of(m, kick);
     const rotor::Machine machine =
         machine_of(m.rotor, m.blades, rotor::Harmonics(std::vector<rotor::Harmonic>{}));
-    const auto laws = laws_of(m.law, m.blades.count());
-    collocation::InclinedLaw law(laws, m.blades.count(), kMaxShortening);
-    ContactArc arc(machine, law, tolerance * kGap);
+    collocation::InclinedLaw law(laws_of(m.law, m.blades.count()));
+    ContactArc arc(machine, law, tolerance * kGap, kMaxShortening);
     for (std::size_t i = 0; i < std::min(contacts.size(), kMostOfOneRotor); ++i) {
       const auto& [start, end] = contacts[i];
       const contact::Pose at = pose_at(m, start.blade, start.time, start.state);
-      const auto touch = law.open({start.blade, start.slip, 0.0}, at, m.rotor.speed_ratio);
+      const auto touch = law.in_equilibrium({start.blade, start.slip, 0.0}, at, m.rotor.speed_ratio);
       blade::Bend bend{};
       contact::TipForce force{};
       const bool stands = m.law.respond(at, start.slip, m.rotor.speed_ratio, bend, force);

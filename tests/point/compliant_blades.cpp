@@ -71,7 +71,7 @@ int expect_both_solvers_agree(const ElasticaContact& blade, double speed_ratio, 
   modes::WorkMeter meter;
   const modes::ContactLimits limits{1e-13, 0.5};
   const modes::ContactSetup setup{&machine, law.get(), limits, &meter};
-  modes::Collocated collocated(setup, law->arcs(machine, limits.max_shortening));
+  modes::Collocated collocated(setup);
   const auto stepped = assembly::phases_in_steps(setup);
   int compared = 0;
   for (const modes::Event& event : motion.witness.events) {

@@ -13,7 +13,7 @@
 #include "contact/friction_law.hpp"
 #include "contact/unequal_blades.hpp"
 #include "machine_of.hpp"
-#include "modes/law.hpp"
+#include "modes/rest_judge.hpp"
 #include "motion/motion.hpp"
 
 namespace rubatlas::test {
@@ -30,10 +30,10 @@ const contact::UnequalBlades<Blade>& laws_of(const contact::UnequalBlades<Blade>
 
 template <class Blade>
 using Blades = contact::UnequalBlades<Blade>;
-std::unique_ptr<modes::Law> law_of(const Blades<contact::ElasticaContact>& blades);
-std::unique_ptr<modes::Law> law_of(const Blades<contact::ElasticRingContact>& blades);
-std::unique_ptr<modes::Law> law_of(const Blades<contact::DirectedElastica>& blades);
-std::unique_ptr<modes::Law> law_of(const Blades<contact::ElasticBladeOnDampedRing>& blades);
+std::unique_ptr<collocation::Law> law_of(const Blades<contact::ElasticaContact>& blades);
+std::unique_ptr<collocation::Law> law_of(const Blades<contact::ElasticRingContact>& blades);
+std::unique_ptr<collocation::Law> law_of(const Blades<contact::DirectedElastica>& blades);
+std::unique_ptr<collocation::Law> law_of(const Blades<contact::ElasticBladeOnDampedRing>& blades);
 
 /// A motion by the method `hybrid`, or where it `collocates` by `collocation`; `law` of one blade, the same
 /// for all, or of all.

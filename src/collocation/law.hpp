@@ -1,18 +1,24 @@
-/// What an arc asks of a law of contact: the equations of an interval, and what is known where a blade takes
-/// the lead. Speeds are φ' of the hub [rad per unit τ].
+/// A law of contact: the equations of an interval and what is known where a blade takes the lead, for arcs;
+/// what becomes of a contact, for modes and resets. Each kind of law implements this interface once, and does
+/// not override what cannot occur under it. Speeds are φ' of the hub [rad per unit τ].
 #pragma once
 
 #include <complex>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "blade/bending_table.hpp"
 #include "collocation/blades_in_contact.hpp"
 #include "collocation/interval.hpp"
+#include "contact/directed_elastica.hpp"
 #include "contact/tip.hpp"
+#include "contact/unequal_blades.hpp"
 #include "rotor/bodies.hpp"
+#include "rotor/machine.hpp"
 
 namespace rubatlas::collocation {
 
@@ -24,23 +30,36 @@ struct Bending {
   double share = 1.0;     ///< λ of a tip that skims
 };
 
-class ArcLaw {
+/// Where the tip of a contact is: its pose, and φ' there.
+struct TipPlace {
+  contact::Pose pose;
+  double speed;
+};
+
+/// What has become of a contact: it stands in equilibrium, it is free, or neither (MODEL 5).
+enum class Standing : std::uint8_t { stands, free, lost };
+
+class Law {
  public:
   /// `friction`: of all blades.
-  explicit ArcLaw(const contact::Friction& friction) : friction_(friction) {}
-  ArcLaw(const ArcLaw&) = delete;
-  ArcLaw& operator=(const ArcLaw&) = delete;
-  virtual ~ArcLaw() = default;
+  explicit Law(const contact::Friction& friction) : friction_(friction) {}
+  Law(const Law&) = delete;  // phases point at it
+  Law& operator=(const Law&) = delete;
+  virtual ~Law() = default;
+  /// The law of the same blades, each shorter at its tip by what it has lost [m]; empty: none has.
+  [[nodiscard]] virtual std::unique_ptr<Law> of_shortened(std::span<const double> lost) const = 0;
 
   [[nodiscard]] virtual Blade numbers(int blade) const = 0;
-  [[nodiscard]] virtual contact::Geometry geometry(int blade) const = 0;
+  [[nodiscard]] virtual const contact::Geometry& geometry(int blade) const = 0;
+  [[nodiscard]] const contact::Friction& friction() const { return friction_; }
   /// Friction takes its sign from s, so that a reversal of the slip is an event.
   [[nodiscard]] bool has_slip_state() const { return friction_.has_slip_state(); }
   /// The lean of the load is an unknown.
   [[nodiscard]] virtual bool leans() const { return false; }
   /// The force is explicit: the arc is a stretch of time.
   [[nodiscard]] virtual bool is_rigid() const { return false; }
-  /// A contact that ends under load ends at g = 0.
+  /// A contact that ends under load ends at g = 0. Else a tip may lift off where its blade has pushed the
+  /// ring outwards, and touch down there.
   [[nodiscard]] virtual bool ends_at_ring() const { return true; }
   /// A tip that cannot rest may slip on against s (MODEL 4.4).
   [[nodiscard]] virtual bool may_slip_back() const { return false; }
@@ -56,23 +75,28 @@ class ArcLaw {
   [[nodiscard]] virtual bool has_branches(int /*blade*/) const { return false; }
   /// The force of the leading blade vanishes with the gap where its tip stands.
   [[nodiscard]] virtual bool starts_unloaded(int blade, double slip, const contact::Pose& at) const = 0;
-  /// Up to which δ/L its contact is valid.
-  [[nodiscard]] virtual double valid_shortening(int /*blade*/) const {
+  /// The largest δ/L that is known.
+  [[nodiscard]] virtual double largest_shortening(int /*blade*/) const {
     return std::numeric_limits<double>::infinity();
   }
+  /// Tips that hop without end skim (MODEL 4.9).
+  [[nodiscard]] virtual bool may_skim() const { return false; }
+  /// How often curves of blades have been evaluated.
+  [[nodiscard]] virtual std::uint64_t evaluations() const = 0;
 
-  /// A contact as it goes on where its blade stands, or as it opens there. None where the blade has no
+  // Arcs.
+
+  /// Takes a place on this machine, which outlives the law's arcs.
+  virtual void take_machine(const rotor::Machine& /*machine*/) {}
+  /// A contact as it goes on where its blade stands, or as it begins there. None where the blade has no
   /// equilibrium.
-  [[nodiscard]] virtual std::optional<Touch> open(const Touch& touch, const contact::Pose& at,
-                                                  double speed) const = 0;
-  /// A contact that does not open is free again at once, instead of having no equilibrium: a blade that does
-  /// not bend, which a ring with dampers would pull.
+  [[nodiscard]] virtual std::optional<Touch> in_equilibrium(const Touch& touch, const contact::Pose& at,
+                                                            double speed) const = 0;
+  /// A contact without equilibrium is free again at once: that of a blade that does not bend, which a ring
+  /// with dampers would pull.
   [[nodiscard]] bool is_free_at_once(const Touch& touch, const contact::Pose& at, double speed) const {
     return !ends_at_ring() && (is_rigid() || touch.straight) && !(force(touch, at, speed).normal > 0.0);
   }
-  /// How often equilibria have been evaluated to find those.
-  [[nodiscard]] virtual std::uint64_t evaluations() const { return 0; }
-
   /// A contact begins anew with the arc, the leading one first, which may be `alone`.
   virtual void take(const Touch& /*touch*/, bool /*alone*/) {}
   /// This contact leads. Gives how far its blade is bent.
@@ -120,6 +144,41 @@ class ArcLaw {
   };
   [[nodiscard]] virtual Rates rates(const Bending& /*bending*/, const Tangent& /*along*/) const { return {}; }
 
+  // Resets of one contact.
+
+  /// A contact opens. False where no force exists (MODEL 5).
+  [[nodiscard]] virtual bool open(const TipPlace& /*at*/, Touch& /*touch*/) const { return true; }
+  /// A contact goes on where the tip stands now, after a change of the blade or of its speed.
+  [[nodiscard]] virtual Standing keep(const TipPlace& at, Touch& /*touch*/) const {
+    return at.pose.gap <= 0.0 ? Standing::free : Standing::stands;
+  }
+  /// Goes from the end of a branch to the next equilibrium.
+  [[nodiscard]] virtual Standing snap(const TipPlace& /*at*/, Touch& /*touch*/) const {
+    return Standing::lost;
+  }
+  /// Finds the bending after a change of the slip direction. False where there is none.
+  [[nodiscard]] virtual bool bend_anew(const TipPlace& /*at*/, Touch& /*touch*/) const { return true; }
+  /// A blade that has unbent stays in contact, standing straight.
+  [[nodiscard]] virtual bool straightens(const TipPlace& /*at*/, Touch& /*touch*/) const { return false; }
+  /// The force of an open contact where its blade stands; updates its bending. False where there is none, or
+  /// where it does not follow from the place of the tip.
+  virtual bool respond(const TipPlace& /*at*/, Touch& /*touch*/, contact::TipForce& /*force*/) const {
+    return false;
+  }
+
+  // Rest.
+
+  /// A tip whose slip velocity comes to zero may rest at once (MODEL 7.14).
+  [[nodiscard]] virtual bool sticks() const { return friction_.sticks; }
+  // Where slip reversals accumulate (MODEL 4.4):
+  /// Whether the model says what follows there.
+  [[nodiscard]] virtual bool knows_rest() const { return law_of_rest(0).has_value(); }
+  /// The law of a blade whose tip then rests, held by a friction coefficient within [−μ, μ], if it is another
+  /// one. A tip that slips has the same force under both.
+  [[nodiscard]] virtual std::optional<contact::DirectedElastica> law_of_rest(int /*blade*/) const {
+    return std::nullopt;
+  }
+
  protected:
   /// c that holds a tip at rest.
   [[nodiscard]] virtual double holding(const Touch& touch, const contact::Pose& /*at*/) const {
@@ -144,6 +203,27 @@ class ArcLaw {
 
   contact::Friction friction_;
   IntervalSolver solver_ = interval_solver();
+};
+
+/// What all kinds have in common: blades with a law each.
+template <class Derived, class BladeLaw, class Base = Law>
+class LawOfBlades : public Base {
+ public:
+  using Blades = contact::UnequalBlades<BladeLaw>;
+  explicit LawOfBlades(Blades blades) : Base(blades.of(0).friction()), blades_(std::move(blades)) {}
+
+  [[nodiscard]] std::unique_ptr<Law> of_shortened(std::span<const double> lost) const override {
+    return std::make_unique<Derived>(lost.empty() ? blades_ : blades_.shortened(lost));
+  }
+  [[nodiscard]] const contact::Geometry& geometry(int blade) const override {
+    return blades_.of(blade).geometry();
+  }
+  [[nodiscard]] std::uint64_t evaluations() const override { return blades_.evaluations(); }
+  [[nodiscard]] const Blades& blades() const { return blades_; }
+  [[nodiscard]] const BladeLaw& of(int blade) const { return blades_.of(blade); }
+
+ private:
+  Blades blades_;
 };
 
 }  // namespace rubatlas::collocation
