@@ -23,17 +23,16 @@ Blade ArcsOfAxialLoads::numbers(int blade) const {
           .held_beyond_ring = law.releases_at_fold()};
 }
 
-std::optional<Touch> ArcsOfAxialLoads::in_equilibrium(const Touch& touch, const contact::Pose& at,
-                                                      double /*speed*/) const {
+std::optional<Touch> ArcsOfAxialLoads::in_equilibrium(const Touch& touch, const TipPlace& at) const {
   const contact::ElasticaContact& law = elastica(touch.blade);
   Touch found = touch;
   // One that has just buckled, or straightened, has its Euler load to rounding.
   constexpr double kClearlyLess = 1.0 - 1e-9;
   if (law.may_stand_straight() && touch.bending == 0.0)
-    found.straight = touch.straight || law.straight_load(at) < kClearlyLess * blade::kEulerLoad;
+    found.straight = touch.straight || law.straight_load(at.pose) < kClearlyLess * blade::kEulerLoad;
   // Another arc has left it off its equilibrium by what sweeps leave.
   if (touch.bending > 0.0)
-    found.bending = law.solve_near(at, touch.slip, touch.bending).value_or(touch.bending);
+    found.bending = law.solve_near(at.pose, touch.slip, touch.bending).value_or(touch.bending);
   return found;
 }
 
@@ -43,11 +42,25 @@ Bending ArcsOfAxialLoads::lead(const Touch& touch) {
           .yielding = touch.yielding};
 }
 
-void ArcsOfAxialLoads::set_course(const Touch& touch, const contact::Pose& at, double speed,
-                                  BladeStart& start) const {
-  start.square = touch.straight ? Course{start.start_gap_measure}
-                                : square_of_bent(elastica(touch.blade), at, touch, speed, start.ring_opens);
-  if (touch.just_bent) start.square.rate = 0.0;  // as `DampedLaw::tangent`
+double ArcsOfAxialLoads::deflection_per_square(int blade) const {
+  constexpr double kUnbent = 0.01;  // p at which Δ ~ p² holds
+  const contact::ElasticaContact& law = elastica(blade);
+  const double bending = table(blade).bending(kUnbent);
+  return law.length() * law.curve().at(bending).deflection / (kUnbent * kUnbent);
+}
+
+void ArcsOfAxialLoads::set_course(const Touch& touch, const TipPlace& at, BladeStart& start) const {
+  const contact::ElasticaContact& law = elastica(touch.blade);
+  if (touch.straight) {
+    start.square = {start.start_gap_measure};
+  } else if (touch.bending > 0.0) {
+    start.square = square_of_bent(table(touch.blade).argument(touch.bending), tangent(touch, at, {}));
+  } else {
+    // Where the blade begins to bend, g = 2 s ct Δ, with Δ ~ p².
+    const double rate = contact::gap_rate(law.geometry(), at.pose, at.speed) - start.ring_opens;
+    const double gap_measure = law.gap_per_deflection(at.pose, touch.slip, 0.0);
+    start.square.rate = rate / (gap_measure * deflection_per_square(touch.blade));
+  }
 }
 
 Touch ArcsOfAxialLoads::touch(const TipStart& tip, const Bending& bending) const {
@@ -60,10 +73,10 @@ Touch ArcsOfAxialLoads::touch(const TipStart& tip, const Bending& bending) const
           .share = bending.share};
 }
 
-contact::TipForce ArcsOfAxialLoads::force(const Touch& touch, const contact::Pose& at, double speed) const {
+contact::TipForce ArcsOfAxialLoads::force(const Touch& touch, const TipPlace& at) const {
   const contact::ElasticaContact& law = elastica(touch.blade);
-  if (touch.straight) return law.straight_force(at, touch.slip, speed);
-  const contact::TipForce force = law.constraint(at, touch.slip, touch.bending, speed).force;
+  if (touch.straight) return law.straight_force(at.pose, touch.slip, at.speed);
+  const contact::TipForce force = law.constraint(at.pose, touch.slip, touch.bending, at.speed).force;
   return touch.skims ? rotor::share_of(force, touch.share) : force;
 }
 
@@ -75,8 +88,8 @@ double ArcsOfAxialLoads::gap_measure(const Touch& touch, const contact::Pose& at
                                   : law.gap_per_deflection(at, touch.slip, touch.bending);
 }
 
-BladeStart ArcsOfAxialLoads::start(const Touch& touch, const contact::Pose& at, double speed) const {
-  BladeStart there = starts(touch, force(touch, at, speed), gap_measure(touch, at));
+BladeStart ArcsOfAxialLoads::start(const Touch& touch, const TipPlace& at) const {
+  BladeStart there = starts(touch, force(touch, at), gap_measure(touch, at.pose));
   if (touch.skims) there.start_cone_left = 1.0 + kShareBeyond - touch.share;
   if (!touch.straight) return there;
   // Of a column that has just straightened no load is left, to rounding.
@@ -86,11 +99,11 @@ BladeStart ArcsOfAxialLoads::start(const Touch& touch, const contact::Pose& at, 
   return there;
 }
 
-Law::Tangent ArcsOfAxialLoads::tangent(const Touch& touch, const contact::Pose& at, double speed,
+Law::Tangent ArcsOfAxialLoads::tangent(const Touch& touch, const TipPlace& at,
                                        const std::complex<double>& /*acceleration*/) const {
   if (touch.straight) return {1.0, 0.0, 0.0};
   const contact::ElasticaContact& law = elastica(touch.blade);
-  const auto there = law.constraint(at, touch.slip, touch.bending, speed);
+  const auto there = law.constraint(at.pose, touch.slip, touch.bending, at.speed);
   // dh = h_u du/dp dp + h_τ dτ
   const double slope = there.bending_slope * table(touch.blade).bending_slope_at(touch.bending);
   return {-slope, there.time_slope, 0.0};

@@ -30,27 +30,22 @@ class ArcsOfAxialLoads : public Law {
   [[nodiscard]] bool may_stand_straight(int blade) const override {
     return elastica(blade).may_stand_straight();
   }
-  [[nodiscard]] std::optional<Touch> in_equilibrium(const Touch& touch, const contact::Pose& at,
-                                                    double speed) const override;
+  [[nodiscard]] std::optional<Touch> in_equilibrium(const Touch& touch, const TipPlace& at) const override;
   Bending lead(const Touch& touch) override;
-  [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override;
-  [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
+  [[nodiscard]] BladeStart start(const Touch& touch, const TipPlace& at) const override;
+  [[nodiscard]] Tangent tangent(const Touch& touch, const TipPlace& at,
                                 const std::complex<double>& acceleration) const override;
   [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override {
     return table(leader_).knots();
   }
-  [[nodiscard]] double deflection_per_square() const override {
-    return collocation::deflection_per_square(elastica(leader_));
-  }
-  void set_course(const Touch& touch, const contact::Pose& at, double speed,
-                  BladeStart& start) const override;
+  [[nodiscard]] double deflection_per_square() const override { return deflection_per_square(leader_); }
+  void set_course(const Touch& touch, const TipPlace& at, BladeStart& start) const override;
   [[nodiscard]] bool solve(const Machine& machine, const Closeness& closeness,
                            Interval& interval) const override {
     return solver_.solve(machine, closeness, interval);
   }
   [[nodiscard]] Touch touch(const TipStart& tip, const Bending& bending) const override;
-  [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
-                                        double speed) const override;
+  [[nodiscard]] contact::TipForce force(const Touch& touch, const TipPlace& at) const override;
   [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
     return {along.argument * table(leader_).bending_slope(bending.argument)};
   }
@@ -64,6 +59,7 @@ class ArcsOfAxialLoads : public Law {
   [[nodiscard]] const blade::BendingTable& table(int blade) const {
     return elastica(blade).curve().over_asinh();
   }
+  [[nodiscard]] double deflection_per_square(int blade) const;
   [[nodiscard]] double gap_measure(const Touch& touch, const contact::Pose& at) const;
 
   int leader_ = 0;

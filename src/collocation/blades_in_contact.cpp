@@ -7,26 +7,6 @@
 
 namespace rubatlas::collocation {
 
-double deflection_per_square(const contact::ElasticaContact& law) {
-  constexpr double kUnbent = 0.01;  // p at which Δ ~ p² holds
-  const double bending = law.curve().over_asinh().bending(kUnbent);
-  return law.length() * law.curve().at(bending).deflection / (kUnbent * kUnbent);
-}
-
-Course square_of_bent(const contact::ElasticaContact& law, const contact::Pose& pose, const Touch& touch,
-                      double angular_speed, double ring_opens) {
-  const blade::BendingTable& table = law.curve().over_asinh();
-  if (touch.bending > 0.0) {
-    const auto there = law.constraint(pose, touch.slip, touch.bending, angular_speed);
-    const double argument = table.argument(touch.bending);
-    return {argument * argument, -2.0 * argument * (there.time_slope - ring_opens) /
-                                     (there.bending_slope * table.bending_slope_at(touch.bending))};
-  }
-  // Where the blade begins to bend, g = 2 s ct Δ, with Δ ~ p².
-  return {0.0, (contact::gap_rate(law.geometry(), pose, angular_speed) - ring_opens) /
-                   (law.gap_per_deflection(pose, touch.slip, 0.0) * deflection_per_square(law))};
-}
-
 Course course_at_end(const Interval& made, const AtNodes& nodes) {
   constexpr std::size_t kLast = kNodes - 1;
   const auto slope = [&](std::size_t node) {

@@ -55,13 +55,6 @@ struct BladeStart : TipStart {
   Course lean{};    ///< l of a blade under an inclined load
 };
 
-/// Δ/p² [m] of a blade that is hardly bent.
-double deflection_per_square(const contact::ElasticaContact& law);
-
-/// p² of a blade under an axial load, as the motion has it where its contact, or its leader, is new.
-/// `ring_opens`: as in `BladeStart`.
-Course square_of_bent(const contact::ElasticaContact& law, const contact::Pose& pose, const Touch& touch,
-                      double angular_speed, double ring_opens);
 /// How a quantity goes on from the end of an interval, as the last three nodes have it.
 Course course_at_end(const Interval& made, const AtNodes& nodes);
 /// A blade there, from the end of the interval. `further`: it does not lead.

@@ -128,13 +128,16 @@ class ContactArc {
   }
   [[nodiscard]] contact::Pose pose(int blade, const Point& point) const;
   [[nodiscard]] contact::Pose pose(int blade, const Point& point, const contact::BladeDirection& er) const;
+  [[nodiscard]] TipPlace tip_place(int blade, const Point& point) const {
+    return {pose(blade, point), blades_->angular_speed(point.time)};
+  }
   /// How far a blade in contact is bent there.
   [[nodiscard]] Bending bending_of(int blade, const Point& point) const;
   /// Its contact there.
   [[nodiscard]] Touch touch_of(int blade, const Point& point) const;
   /// Force of a contact there.
   [[nodiscard]] contact::TipForce force(const Touch& touch, const Point& point) const {
-    return law_->force(touch, pose(touch.blade, point), blades_->angular_speed(point.time));
+    return law_->force(touch, tip_place(touch.blade, point));
   }
   /// Bound of the gaps of the blades that do not touch, within the interval [m²].
   [[nodiscard]] double gap_bound_of_others() const { return gap_bound_of_others_; }

@@ -62,7 +62,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   const double speed = blades_->angular_speed(time);
   tips_.clear();
   const auto start = [&](const Touch& touch, const contact::Pose& at) -> BladeStart& {
-    BladeStart& tip = tips_.emplace_back(law_->start(touch, at, speed));
+    BladeStart& tip = tips_.emplace_back(law_->start(touch, {at, speed}));
     tip.blade = &numbers(touch.blade);
     tip.offset = offset_of(touch.blade);
     tip.start_gap = gap_at(touch, start_);
@@ -75,7 +75,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
     law_->take(touch, false);
     const contact::Pose at = pose(touch.blade, start_);
     BladeStart& tip = start(touch, at);
-    law_->set_course(touch, at, speed, tip);
+    law_->set_course(touch, {at, speed}, tip);
     tip.start_square = tip.square.value;
     start_.further.push_back({tip.start_square, tip.lean.value, tip.start_yielding, touch.share});
   }
@@ -163,7 +163,7 @@ bool ContactArc::begin_anew(std::size_t leader) {
   there.gap = gaps[leader];
   std::optional<Touch> found;
   if (std::abs(there.gap) > contact::gap_rounding(law_->geometry(leads.blade), there))
-    found = law_->in_equilibrium(leads, there, blades_->angular_speed(end_.time));
+    found = law_->in_equilibrium(leads, {there, blades_->angular_speed(end_.time)});
   leads = found.value_or(leads);
   lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, leader);
   std::rotate(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(leader),

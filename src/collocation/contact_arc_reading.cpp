@@ -95,8 +95,7 @@ double ContactArc::nearer_to_top(int blade, const Point& there, const AtPlaces& 
   const double curvature =
       (value(fraction - kApart) - 2.0 * value(fraction) + value(fraction + kApart)) / (kApart * kApart);
   const double argument = bending_of(blade, there).argument;
-  const Law::Tangent tangent =
-      law_->tangent(touch_of(blade, there), pose(blade, there), blades_->angular_speed(there.time), {});
+  const Law::Tangent tangent = law_->tangent(touch_of(blade, there), tip_place(blade, there), {});
   double slope = tangent.argument / tangent.time * direction_at(fraction).time;
   if (blade != leader()) slope *= 2.0 * argument;
   const double missed = -0.5 * slope * slope / curvature;

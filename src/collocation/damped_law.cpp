@@ -12,59 +12,60 @@ Blade DampedLaw::numbers(int blade) const {
 }
 
 /// A new contact stands on the ring, which yields by as much as its tip is deep.
-std::optional<Touch> DampedLaw::in_equilibrium(const Touch& touch, const contact::Pose& at,
-                                               double speed) const {
+std::optional<Touch> DampedLaw::in_equilibrium(const Touch& touch, const TipPlace& at) const {
   const contact::ElasticBladeOnDampedRing& law = of(touch.blade);
   Touch found = touch;
   if (touch.straight) {
-    found.yielding = law.depth(at);
-    const BladeStart there = start(found, at, speed);
+    found.yielding = law.depth(at.pose);
+    const BladeStart there = start(found, at);
     if (there.force.normal > 0.0 && there.start_cone_left > 0.0) return found;
     return std::nullopt;
   }
-  if (touch.touches_down() && touch.yielding == 0.0) found.yielding = law.depth(at);
-  contact::Pose there = at;
-  there.gap =
-      touch.touches_down() ? 0.0 : at.gap - contact::widening(found.yielding, law.geometry().ring_radius);
+  if (touch.touches_down() && touch.yielding == 0.0) found.yielding = law.depth(at.pose);
+  contact::Pose there = at.pose;
+  if (touch.touches_down())
+    there.gap = 0.0;
+  else
+    there.gap -= contact::widening(found.yielding, law.geometry().ring_radius);
   if (touch.touches_down() && starts_unloaded(touch.blade, touch.slip, there)) return found;
   contact::TipForce force{};
-  if (!law.respond(there, touch.slip, speed, found.yielding, found.bending, force)) return std::nullopt;
+  if (!law.respond(there, touch.slip, at.speed, found.yielding, found.bending, force)) return std::nullopt;
   found.just_bent = touch.touches_down();
   return found;
 }
 
-double DampedLaw::ring_opens(const Touch& touch, const contact::Pose& at, double speed) const {
+double DampedLaw::ring_opens(const Touch& touch, const TipPlace& at) const {
   const contact::ElasticBladeOnDampedRing& law = of(touch.blade);
   return 2.0 * (law.geometry().ring_radius + touch.yielding) *
-         law.yielding_rate(force(touch, at, speed).normal, touch.yielding);
+         law.yielding_rate(force(touch, at).normal, touch.yielding);
 }
 
-BladeStart DampedLaw::start(const Touch& touch, const contact::Pose& at, double speed) const {
+BladeStart DampedLaw::start(const Touch& touch, const TipPlace& at) const {
   if (touch.straight) {
     const contact::ElasticBladeOnDampedRing& law = of(touch.blade);
-    const contact::TipForce there = force(touch, at, speed);
+    const contact::TipForce there = force(touch, at);
     BladeStart start = starts(touch, there, there.normal / law.straight().stiffness());
-    start.start_cone_left = law.bending_load(at, touch.slip, speed) - there.normal;
+    start.start_cone_left = law.bending_load(at.pose, touch.slip, at.speed) - there.normal;
     return start;
   }
-  BladeStart start = ArcsOfAxialLoads::start(touch, at, speed);
-  start.ring_opens = ring_opens(touch, at, speed);
+  BladeStart start = ArcsOfAxialLoads::start(touch, at);
+  start.ring_opens = ring_opens(touch, at);
   return start;
 }
 
-Law::Tangent DampedLaw::tangent(const Touch& touch, const contact::Pose& at, double speed,
+Law::Tangent DampedLaw::tangent(const Touch& touch, const TipPlace& at,
                                 const std::complex<double>& acceleration) const {
   // The ring follows the load of a blade that has just bent in a moment, often within 1e-6: how p changes
   // at first says nothing of the arc. Then it changes as slowly as the load of the ring.
   if (touch.straight || touch.just_bent) return {1.0, 0.0, 0.0};
-  Tangent along = ArcsOfAxialLoads::tangent(touch, at, speed, acceleration);
-  along.argument -= ring_opens(touch, at, speed);
+  Tangent along = ArcsOfAxialLoads::tangent(touch, at, acceleration);
+  along.argument -= ring_opens(touch, at);
   return along;
 }
 
-contact::TipForce DampedLaw::force(const Touch& touch, const contact::Pose& at, double speed) const {
-  return touch.straight ? of(touch.blade).straight().force(at, touch.slip, speed)
-                        : ArcsOfAxialLoads::force(touch, at, speed);
+contact::TipForce DampedLaw::force(const Touch& touch, const TipPlace& at) const {
+  return touch.straight ? of(touch.blade).straight().force(at.pose, touch.slip, at.speed)
+                        : ArcsOfAxialLoads::force(touch, at);
 }
 
 bool DampedLaw::solve(const Machine& machine, const Closeness& closeness, Interval& interval) const {

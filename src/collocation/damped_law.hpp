@@ -17,15 +17,13 @@ class DampedLaw final : public LawOfBlades<DampedLaw, contact::ElasticBladeOnDam
 
   [[nodiscard]] Blade numbers(int blade) const override;
   [[nodiscard]] bool ends_at_ring() const override { return false; }
-  [[nodiscard]] std::optional<Touch> in_equilibrium(const Touch& touch, const contact::Pose& at,
-                                                    double speed) const override;
-  [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override;
-  [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
+  [[nodiscard]] std::optional<Touch> in_equilibrium(const Touch& touch, const TipPlace& at) const override;
+  [[nodiscard]] BladeStart start(const Touch& touch, const TipPlace& at) const override;
+  [[nodiscard]] Tangent tangent(const Touch& touch, const TipPlace& at,
                                 const std::complex<double>& acceleration) const override;
   [[nodiscard]] bool solve(const Machine& machine, const Closeness& closeness,
                            Interval& interval) const override;
-  [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
-                                        double speed) const override;
+  [[nodiscard]] contact::TipForce force(const Touch& touch, const TipPlace& at) const override;
 
   /// On the receding side a blade stands straight while the ring's load is too small to bend it.
   [[nodiscard]] bool open(const TipPlace& at, Touch& touch) const override;
@@ -39,7 +37,7 @@ class DampedLaw final : public LawOfBlades<DampedLaw, contact::ElasticBladeOnDam
 
  private:
   void find_bending_left(const Machine& machine, const Interval& interval, TipInTime& tip) const;
-  [[nodiscard]] double ring_opens(const Touch& touch, const contact::Pose& at, double speed) const;
+  [[nodiscard]] double ring_opens(const Touch& touch, const TipPlace& at) const;
 };
 
 }  // namespace rubatlas::collocation

@@ -48,27 +48,26 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
   [[nodiscard]] bool starts_unloaded(int blade, double /*slip*/, const contact::Pose& at) const override {
     return load_of(blade).side * at.tangential > 0.0;
   }
-  [[nodiscard]] std::optional<Touch> in_equilibrium(const Touch& touch, const contact::Pose& at,
-                                                    double speed) const override {
+  [[nodiscard]] std::optional<Touch> in_equilibrium(const Touch& touch, const TipPlace& at) const override {
     const auto& law = of(touch.blade);
     Touch opened = touch;
     if (touch.slip == 0.0) {
-      const auto rest = law.rest(at, speed, touch.bend);
+      const auto rest = law.rest(at.pose, at.speed, touch.bend);
       if (!rest || !(rest->firmness > contact::kLeastFirmness)) return std::nullopt;
       opened.bend = rest->bend;
-      goes_on(law, at, speed, opened, kNear);  // to rounding
+      goes_on(law, at, opened, kNear);  // to rounding
       return opened;
     }
-    if (goes_on(law, at, speed, opened, kNear)) return opened;
+    if (goes_on(law, at, opened, kNear)) return opened;
     if (touch.bend.modulus == 0.0) {
-      if (law.opens_unbent(at, touch.slip, speed)) {
-        opened.bend = {std::sin(0.5 * law.first_load_angle(at, touch.slip, speed)), 0.0};
+      if (law.opens_unbent(at.pose, touch.slip, at.speed)) {
+        opened.bend = {std::sin(0.5 * law.first_load_angle(at.pose, touch.slip, at.speed)), 0.0};
         return opened;
       }
-      if (opens_under_load(law, at, speed, opened)) return opened;
+      if (opens_under_load(law, at, opened)) return opened;
     }
     contact::TipForce force{};
-    if (!law.respond(at, touch.slip, speed, opened.bend, force)) return std::nullopt;
+    if (!law.respond(at.pose, touch.slip, at.speed, opened.bend, force)) return std::nullopt;
     return opened;
   }
   void take(const Touch& touch, bool alone) override {
@@ -94,27 +93,27 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
   [[nodiscard]] double side(const Touch& touch) const override {
     return std::copysign(1.0, touch.bend.modulus);
   }
-  [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override {
+  [[nodiscard]] BladeStart start(const Touch& touch, const TipPlace& at) const override {
     const auto& law = of(touch.blade);
-    const auto there = law.constraint(at, touch.slip, speed, touch.bend);
+    const auto there = law.constraint(at.pose, touch.slip, at.speed, touch.bend);
     // g/|D|, as h = 0 has it.
     const double deflection = std::abs(there.blade.deflection.value);
     const double share = deflection > kUnbent ? there.blade.shortening.value / deflection : 0.0;
     const double measure = 2.0 * side(touch) * there.tip.across + law.length() * deflection +
                            share * (2.0 * there.tip.along + law.length() * there.blade.shortening.value);
-    BladeStart start = starts(touch, law.force_of(at, speed, there), measure);
+    BladeStart start = starts(touch, law.force_of(at.pose, at.speed, there), measure);
     start.load = &load_of(touch.blade);
     start.start_lean = lean_of(touch.bend);
     start.start_chart_left = start.load->chart_left(bending_of(touch.bend), start.start_lean);
     start.start_cone_left = start.load->cone() - there.coefficient * there.coefficient;
     return start;
   }
-  [[nodiscard]] Tangent tangent(const Touch& touch, const contact::Pose& at, double speed,
+  [[nodiscard]] Tangent tangent(const Touch& touch, const TipPlace& at,
                                 const std::complex<double>& acceleration) const override {
     const auto& law = of(touch.blade);
-    const auto there = law.constraint(at, touch.slip, speed, touch.bend);
-    const auto [modulus, amplitude] =
-        there.against(law.drift(at, touch.slip, speed, {acceleration.real(), acceleration.imag()}, there));
+    const auto there = law.constraint(at.pose, touch.slip, at.speed, touch.bend);
+    const auto [modulus, amplitude] = there.against(
+        law.drift(at.pose, touch.slip, at.speed, {acceleration.real(), acceleration.imag()}, there));
     const double time = there.determinant();
     const double onwards = touch.slip == 0.0 ? std::copysign(1.0, time) : 1.0;
     const double sine = std::sin(touch.bend.amplitude);
@@ -129,21 +128,18 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
     return knots_;
   }
   [[nodiscard]] double deflection_per_square() const override { return deflection_per_square_; }
-  void set_course(const Touch& touch, const contact::Pose& at, double speed,
-                  BladeStart& start) const override {
+  void set_course(const Touch& touch, const TipPlace& at, BladeStart& start) const override {
     const double argument = argument_of(touch);
-    start.square.value = argument * argument;
     start.lean.value = start.start_lean;
     if (argument > 0.0) {
-      // As the shaft would move on without forces: for the first guess.
-      const Tangent along = tangent(touch, at, speed, {});
-      start.square.rate = 2.0 * argument * along.argument / along.time;
+      const Tangent along = tangent(touch, at, {});
+      start.square = square_of_bent(argument, along);
       start.lean.rate = along.lean / along.time;
     } else {
       // Where the blade begins to bend, g = (g/|D|) |D|, with |D| ~ p².
       const auto& law = of(touch.blade);
       start.square.rate =
-          contact::gap_rate(law.geometry(), at, speed) /
+          contact::gap_rate(law.geometry(), at.pose, at.speed) /
           (start.start_gap_measure * law.length() * start.load->deflection_per_square(start.start_lean));
     }
   }
@@ -163,10 +159,9 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
     return {
         tip.number, tip.slip, 0.0, {load.side * std::hypot(u, bending.lean), std::atan2(u, bending.lean)}};
   }
-  [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
-                                        double speed) const override {
+  [[nodiscard]] contact::TipForce force(const Touch& touch, const TipPlace& at) const override {
     const auto& law = of(touch.blade);
-    return law.force_of(at, speed, law.constraint(at, touch.slip, speed, touch.bend));
+    return law.force_of(at.pose, at.speed, law.constraint(at.pose, touch.slip, at.speed, touch.bend));
   }
   [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
     const InclinedLoad& load = load_of(leader_);
@@ -211,13 +206,12 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
   /// A new contact whose blade is bent at once (MODEL 4.2): looks for the first root of h along the
   /// equilibria from the unbent blade on, as `DirectedElastica::solve` does, in eight steps at once. False
   /// where it is not found so.
-  bool opens_under_load(const contact::DirectedElastica& law, const contact::Pose& at, double speed,
-                        Touch& touch) const {
+  bool opens_under_load(const contact::DirectedElastica& law, const TipPlace& at, Touch& touch) const {
     constexpr double kLeastLean = 1e-3;
     constexpr std::array kReaches{0.1, 0.25, 0.62};  // u up to which steps reach, one time after the other
     constexpr int kRefinements = 2;
     constexpr double kFound = 0.05;  // of κ and φ: what those leave
-    const double first = law.first_load_angle(at, touch.slip, speed);
+    const double first = law.first_load_angle(at.pose, touch.slip, at.speed);
     const double lean = std::abs(std::sin(0.5 * first));
     if (lean < kLeastLean) return false;
     InclinedLoad load = load_of(touch.blade);
@@ -236,7 +230,7 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
     const auto look = [&] {
       for (std::size_t i = 0; i < kNodes; ++i)
         points.argument[i] = from + (to - from) * static_cast<double>(i + 1) / kNodes;
-      if (!solver_.inclined_branch(tip, law.geometry().ring_radius, at, speed, points)) return false;
+      if (!solver_.inclined_branch(tip, law.geometry().ring_radius, at.pose, at.speed, points)) return false;
       const auto& h = points.residual.value;
       beyond = static_cast<std::size_t>(std::ranges::find_if(h, [](double there) { return !(there > 0.0); }) -
                                         h.begin());
@@ -260,21 +254,20 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
     const double u = load.bending(to);
     touch.bend = {load.side * std::hypot(u, points.lean[0]), std::atan2(u, points.lean[0])};
     Touch found = touch;
-    if (!goes_on(law, at, speed, found, kFound)) return false;
-    const auto there = law.constraint(at, touch.slip, speed, found.bend);
+    if (!goes_on(law, at, found, kFound)) return false;
+    const auto there = law.constraint(at.pose, touch.slip, at.speed, found.bend);
     if (!(there.determinant() > 0.0)) return false;
     touch = found;
     return true;
   }
   /// Moves a contact onto its equilibrium if that is as near to its bend as said.
-  static bool goes_on(const contact::DirectedElastica& law, const contact::Pose& at, double speed,
-                      Touch& touch, double near) {
+  static bool goes_on(const contact::DirectedElastica& law, const TipPlace& at, Touch& touch, double near) {
     constexpr int kSteps = 4;
     constexpr double kHere = 1e-9;  // Newton's next step is below rounding
     if (touch.bend.modulus == 0.0 || !(touch.bend.amplitude > 0.0)) return false;
     blade::Bend bend = touch.bend;
     for (int i = 0; i < kSteps; ++i) {
-      const blade::Bend change = law.constraint(at, touch.slip, speed, bend).correction();
+      const blade::Bend change = law.constraint(at.pose, touch.slip, at.speed, bend).correction();
       const double size =
           std::max(std::abs(change.modulus / bend.modulus), std::abs(change.amplitude / bend.amplitude));
       if (!(size < near)) return false;

@@ -90,12 +90,11 @@ class Law {
   virtual void take_machine(const rotor::Machine& /*machine*/) {}
   /// A contact as it goes on where its blade stands, or as it begins there. None where the blade has no
   /// equilibrium.
-  [[nodiscard]] virtual std::optional<Touch> in_equilibrium(const Touch& touch, const contact::Pose& at,
-                                                            double speed) const = 0;
+  [[nodiscard]] virtual std::optional<Touch> in_equilibrium(const Touch& touch, const TipPlace& at) const = 0;
   /// A contact without equilibrium is free again at once: that of a blade that does not bend, which a ring
   /// with dampers would pull.
-  [[nodiscard]] bool is_free_at_once(const Touch& touch, const contact::Pose& at, double speed) const {
-    return !ends_at_ring() && (is_rigid() || touch.straight) && !(force(touch, at, speed).normal > 0.0);
+  [[nodiscard]] bool is_free_at_once(const Touch& touch, const TipPlace& at) const {
+    return !ends_at_ring() && (is_rigid() || touch.straight) && !(force(touch, at).normal > 0.0);
   }
   /// A contact begins anew with the arc, the leading one first, which may be `alone`.
   virtual void take(const Touch& /*touch*/, bool /*alone*/) {}
@@ -104,16 +103,15 @@ class Law {
   /// ±1: to which side a blade is bent.
   [[nodiscard]] virtual double side(const Touch& touch) const { return touch.slip; }
   /// A contact where the next interval starts, but for `start_gap` and what a further blade has.
-  [[nodiscard]] virtual BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const = 0;
+  [[nodiscard]] virtual BladeStart start(const Touch& touch, const TipPlace& at) const = 0;
   /// Sets how a further blade goes on.
-  virtual void set_course(const Touch& touch, const contact::Pose& at, double speed,
-                          BladeStart& start) const = 0;
+  virtual void set_course(const Touch& touch, const TipPlace& at, BladeStart& start) const = 0;
   /// Where the arc leads from there, for a blade that is bent: dτ, dp and dl, of any length.
   /// `acceleration`: of the shaft, seen from the ring, along (real) and across the blade [m per unit τ²].
   struct Tangent {
     double time, argument, lean;
   };
-  [[nodiscard]] virtual Tangent tangent(const Touch& /*touch*/, const contact::Pose& /*at*/, double /*speed*/,
+  [[nodiscard]] virtual Tangent tangent(const Touch& /*touch*/, const TipPlace& /*at*/,
                                         const std::complex<double>& /*acceleration*/) const {
     return {1.0, 0.0, 0.0};
   }
@@ -128,8 +126,7 @@ class Law {
   /// The contact of a blade that is bent so.
   [[nodiscard]] virtual Touch touch(const TipStart& tip, const Bending& bending) const = 0;
   /// Its force, and c [-].
-  [[nodiscard]] virtual contact::TipForce force(const Touch& touch, const contact::Pose& at,
-                                                double speed) const = 0;
+  [[nodiscard]] virtual contact::TipForce force(const Touch& touch, const TipPlace& at) const = 0;
   [[nodiscard]] double friction_coefficient(const Touch& touch, const contact::Pose& at,
                                             const contact::TipForce& force) const {
     return touch.slip == 0.0 ? holding(touch, at) : friction_.coefficient(force.slip_velocity, touch.slip);
@@ -183,6 +180,10 @@ class Law {
   /// c that holds a tip at rest.
   [[nodiscard]] virtual double holding(const Touch& touch, const contact::Pose& /*at*/) const {
     return touch.holding;
+  }
+  /// p² of a further blade that is bent, as the shaft would move on without forces.
+  static Course square_of_bent(double argument, const Tangent& along) {
+    return {argument * argument, 2.0 * argument * along.argument / along.time};
   }
   /// What a contact and its force say of its start.
   static BladeStart starts(const Touch& touch, const contact::TipForce& force, double gap_measure) {

@@ -97,7 +97,7 @@ void Predictor::begin_under_load(const Start& start, double half) {
   const contact::BladeDirection& er = start.direction;
   const std::complex<double> acceleration =
       (start.acceleration.shaft - start.acceleration.ring) * std::complex<double>(er.cosine, -er.sine);
-  const Law::Tangent tangent = law_->tangent(start.touch, start.pose, start.angular_speed, acceleration);
+  const Law::Tangent tangent = law_->tangent(start.touch, {start.pose, start.angular_speed}, acceleration);
   rests_ = leans_ && start.touch.slip == 0.0;
   if (rests_) {
     longest_unit_ = time_unit_;

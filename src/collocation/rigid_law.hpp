@@ -40,22 +40,20 @@ class RigidLaw final : public LawOfBlades<RigidLaw, contact::ElasticRingContact>
     return ends_at_ring();
   }
   /// A tip that moves inwards faster than a ring with dampers pushes it lifts off at once.
-  [[nodiscard]] std::optional<Touch> in_equilibrium(const Touch& touch, const contact::Pose& at,
-                                                    double speed) const override {
-    if (is_free_at_once(touch, at, speed)) return std::nullopt;
+  [[nodiscard]] std::optional<Touch> in_equilibrium(const Touch& touch, const TipPlace& at) const override {
+    if (is_free_at_once(touch, at)) return std::nullopt;
     return touch;
   }
   Bending lead(const Touch& /*touch*/) override { return {kArgument}; }
-  [[nodiscard]] BladeStart start(const Touch& touch, const contact::Pose& at, double speed) const override {
-    const contact::TipForce there = force(touch, at, speed);
+  [[nodiscard]] BladeStart start(const Touch& touch, const TipPlace& at) const override {
+    const contact::TipForce there = force(touch, at);
     const double load = there.normal * machine_->constants.force_unit;
     const double largest = contact::largest_at_rest(friction_);
     BladeStart start = starts(touch, there, there.normal / of(touch.blade).stiffness());
     start.start_cone_left = (largest * largest - touch.holding * touch.holding) * load * load;
     return start;
   }
-  void set_course(const Touch& /*touch*/, const contact::Pose& /*at*/, double /*speed*/,
-                  BladeStart& start) const override {
+  void set_course(const Touch& /*touch*/, const TipPlace& /*at*/, BladeStart& start) const override {
     start.square = {start.start_gap_measure};
   }
   [[nodiscard]] bool solve(const Machine& machine, const Closeness& closeness,
@@ -65,11 +63,10 @@ class RigidLaw final : public LawOfBlades<RigidLaw, contact::ElasticRingContact>
   [[nodiscard]] Touch touch(const TipStart& tip, const Bending& /*bending*/) const override {
     return {tip.number, tip.slip, 0.0};
   }
-  [[nodiscard]] contact::TipForce force(const Touch& touch, const contact::Pose& at,
-                                        double speed) const override {
-    contact::TipForce result = of(touch.blade).force(at, touch.slip, speed);
+  [[nodiscard]] contact::TipForce force(const Touch& touch, const TipPlace& at) const override {
+    contact::TipForce result = of(touch.blade).force(at.pose, touch.slip, at.speed);
     if (touch.slip == 0.0) {
-      const std::complex<double> tangent = contact::tangent(geometry(touch.blade), at);
+      const std::complex<double> tangent = contact::tangent(geometry(touch.blade), at.pose);
       const double friction = touch.holding * result.normal;
       result.radial -= friction * tangent.real();
       result.tangential -= friction * tangent.imag();

@@ -23,13 +23,12 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
   const std::uint64_t evaluations = law_->evaluations();
   at_once_.reset();
   for (OpenContact& open : contacts_) {
-    const contact::Pose at = arc_.pose(open.blade, {.time = time, .bodies = state, .bending = {}});
-    const double speed = angular_speed(time);
-    if (const auto found = law_->in_equilibrium(open, at, speed)) {
+    const TipPlace at = arc_.tip_place(open.blade, {.time = time, .bodies = state, .bending = {}});
+    if (const auto found = law_->in_equilibrium(open, at)) {
       open = *found;
       continue;
     }
-    if (law_->is_free_at_once(open, at, speed)) {
+    if (law_->is_free_at_once(open, at)) {
       at_once_ = {Guard::lift_off, open.blade};
     } else if (open.straight) {
       at_once_ = {Guard::pressed_in, open.blade};
@@ -160,7 +159,7 @@ trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Po
   const OpenContact touch = arc_.touch_of(blade(contact), point);
   const contact::Pose at = arc_.pose(touch.blade, point, er);
   const double speed = angular_speed(point.time);
-  const contact::TipForce tip_force = law_->force(touch, at, speed);
+  const contact::TipForce tip_force = law_->force(touch, {at, speed});
   return modes::contact_force(tip_force, touch.slip, law_->friction_coefficient(touch, at, tip_force), er, at,
                               speed);
 }
