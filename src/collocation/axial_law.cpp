@@ -1,6 +1,7 @@
 #include "collocation/axial_law.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "rotor/skimming.hpp"
 
@@ -122,6 +123,10 @@ bool takes(const std::optional<double>& root, Touch& touch) {
 }
 
 }  // namespace
+
+AxialLaw::AxialLaw(Blades blades) : LawOfBlades(std::move(blades)) {
+  for (int k = 0; k < count(); ++k) elastica_.push_back(&of(k));
+}
 
 /// None for small slopes, and where axial compliance or a ring that yields gives way besides: there the place
 /// of the tip is not a function of κ and φ. Nor for blades that are released at the fold.

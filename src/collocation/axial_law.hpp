@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "collocation/law.hpp"
 #include "contact/elastica_contact.hpp"
@@ -51,8 +52,11 @@ class ArcsOfAxialLoads : public Law {
   }
 
  protected:
-  /// A blade in a ring without dampers.
-  [[nodiscard]] virtual const contact::ElasticaContact& elastica(int blade) const = 0;
+  [[nodiscard]] const contact::ElasticaContact& elastica(int blade) const {
+    return *elastica_[static_cast<std::size_t>(blade)];
+  }
+
+  std::vector<const contact::ElasticaContact*> elastica_;  ///< the blades in a ring without dampers
 
  private:
   static constexpr double kStraight = 1e-6;  ///< p: not 0, from where a blade would begin to bend
@@ -68,7 +72,7 @@ class ArcsOfAxialLoads : public Law {
 /// In a ring without dampers. At a reset the root of h is looked for (MODEL 4.1 and 4.2).
 class AxialLaw final : public LawOfBlades<AxialLaw, contact::ElasticaContact, ArcsOfAxialLoads> {
  public:
-  using LawOfBlades::LawOfBlades;
+  explicit AxialLaw(Blades blades);
 
   [[nodiscard]] bool releases_at_fold(int blade) const override { return of(blade).releases_at_fold(); }
   /// A blade released at the fold returns from a finite distance, and the force of a compressed column starts
@@ -89,9 +93,6 @@ class AxialLaw final : public LawOfBlades<AxialLaw, contact::ElasticaContact, Ar
     return of(touch.blade).respond(at.pose, touch.slip, at.speed, touch.bending, force);
   }
   [[nodiscard]] std::optional<contact::DirectedElastica> law_of_rest(int blade) const override;
-
- protected:
-  [[nodiscard]] const contact::ElasticaContact& elastica(int blade) const override { return of(blade); }
 };
 
 }  // namespace rubatlas::collocation

@@ -1,8 +1,14 @@
 #include "collocation/damped_law.hpp"
 
 #include <array>
+#include <utility>
 
 namespace rubatlas::collocation {
+DampedLaw::DampedLaw(Blades blades) : LawOfBlades(std::move(blades)) {
+  ends_at_ring_ = false;
+  for (int k = 0; k < count(); ++k) elastica_.push_back(&of(k).blade());
+}
+
 Blade DampedLaw::numbers(int blade) const {
   const contact::ElasticRingContact& straight = of(blade).straight();
   Blade numbers = ArcsOfAxialLoads::numbers(blade);

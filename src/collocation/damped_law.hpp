@@ -13,10 +13,9 @@ namespace rubatlas::collocation {
 
 class DampedLaw final : public LawOfBlades<DampedLaw, contact::ElasticBladeOnDampedRing, ArcsOfAxialLoads> {
  public:
-  using LawOfBlades::LawOfBlades;
+  explicit DampedLaw(Blades blades);
 
   [[nodiscard]] Blade numbers(int blade) const override;
-  [[nodiscard]] bool ends_at_ring() const override { return false; }
   [[nodiscard]] std::optional<Touch> in_equilibrium(const Touch& touch, const TipPlace& at) const override;
   [[nodiscard]] BladeStart start(const Touch& touch, const TipPlace& at) const override;
   [[nodiscard]] Tangent tangent(const Touch& touch, const TipPlace& at,
@@ -29,11 +28,6 @@ class DampedLaw final : public LawOfBlades<DampedLaw, contact::ElasticBladeOnDam
   [[nodiscard]] bool open(const TipPlace& at, Touch& touch) const override;
   /// A blade that has unbent to the ring's circle stays in contact where the ring pushes it.
   [[nodiscard]] bool straightens(const TipPlace& at, Touch& touch) const override;
-
- protected:
-  [[nodiscard]] const contact::ElasticaContact& elastica(int blade) const override {
-    return of(blade).blade();
-  }
 
  private:
   void find_bending_left(const Machine& machine, const Interval& interval, TipInTime& tip) const;

@@ -24,10 +24,11 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
   /// `rests_at_once`: a tip that can rest does so where its slip velocity comes to zero, else only where its
   /// reversals accumulate (MODEL 4.4).
   explicit InclinedLaw(Blades blades, bool rests_at_once = true)
-      : LawOfBlades(std::move(blades)),
-        rests_at_once_(rests_at_once),
-        loads_(this->blades().count(),
-               {.along_normal = of(0).direction() == contact::LoadDirection::normal, .friction = friction_}) {
+      : LawOfBlades(std::move(blades)), rests_at_once_(rests_at_once) {
+    leans_ = true;
+    const InclinedLoad load{.along_normal = of(0).direction() == contact::LoadDirection::normal,
+                            .friction = friction_};
+    loads_.assign(static_cast<std::size_t>(count()), load);
   }
 
   [[nodiscard]] Blade numbers(int blade) const override {
@@ -43,7 +44,6 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
   }
   [[nodiscard]] bool may_slip_back() const override { return has_slip_state() && !sticks(); }
   [[nodiscard]] bool sticks() const override { return friction_.sticks && rests_at_once_; }
-  [[nodiscard]] bool leans() const override { return true; }
   [[nodiscard]] bool has_branches(int /*blade*/) const override { return has_branches_; }
   [[nodiscard]] bool starts_unloaded(int blade, double /*slip*/, const contact::Pose& at) const override {
     return load_of(blade).side * at.tangential > 0.0;

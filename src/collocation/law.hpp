@@ -55,12 +55,12 @@ class Law {
   /// Friction takes its sign from s, so that a reversal of the slip is an event.
   [[nodiscard]] bool has_slip_state() const { return friction_.has_slip_state(); }
   /// The lean of the load is an unknown.
-  [[nodiscard]] virtual bool leans() const { return false; }
+  [[nodiscard]] bool leans() const { return leans_; }
   /// The force is explicit: the arc is a stretch of time.
-  [[nodiscard]] virtual bool is_rigid() const { return false; }
+  [[nodiscard]] bool is_rigid() const { return is_rigid_; }
   /// A contact that ends under load ends at g = 0. Else a tip may lift off where its blade has pushed the
   /// ring outwards, and touch down there.
-  [[nodiscard]] virtual bool ends_at_ring() const { return true; }
+  [[nodiscard]] bool ends_at_ring() const { return ends_at_ring_; }
   /// A tip that cannot rest may slip on against s (MODEL 4.4).
   [[nodiscard]] virtual bool may_slip_back() const { return false; }
   /// A contact goes on beyond the ring while it has a force.
@@ -203,6 +203,8 @@ class Law {
   }
 
   contact::Friction friction_;
+  // Of a kind of law.
+  bool leans_ = false, is_rigid_ = false, ends_at_ring_ = true;
   IntervalSolver solver_ = interval_solver();
 };
 
@@ -222,6 +224,7 @@ class LawOfBlades : public Base {
   [[nodiscard]] std::uint64_t evaluations() const override { return blades_.evaluations(); }
   [[nodiscard]] const Blades& blades() const { return blades_; }
   [[nodiscard]] const BladeLaw& of(int blade) const { return blades_.of(blade); }
+  [[nodiscard]] int count() const { return blades_.count(); }  ///< of blades
 
  private:
   Blades blades_;

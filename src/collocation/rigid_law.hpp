@@ -7,6 +7,7 @@
 #include <complex>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "collocation/law.hpp"
 #include "contact/elastic_ring_contact.hpp"
@@ -19,7 +20,10 @@ namespace rubatlas::collocation {
 
 class RigidLaw final : public LawOfBlades<RigidLaw, contact::ElasticRingContact> {
  public:
-  using LawOfBlades::LawOfBlades;
+  explicit RigidLaw(Blades blades) : LawOfBlades(std::move(blades)) {
+    is_rigid_ = true;
+    ends_at_ring_ = of(0).damping() == 0.0;
+  }
 
   void take_machine(const rotor::Machine& machine) override { machine_ = &machine; }
   [[nodiscard]] Blade numbers(int blade) const override {
@@ -29,8 +33,6 @@ class RigidLaw final : public LawOfBlades<RigidLaw, contact::ElasticRingContact>
             .ring_stiffness = law.stiffness(),
             .ring_damping = law.damping()};
   }
-  [[nodiscard]] bool is_rigid() const override { return true; }
-  [[nodiscard]] bool ends_at_ring() const override { return of(0).damping() == 0.0; }
   /// With a ring without mass v jumps, and a tip that would slip back is beyond the model.
   [[nodiscard]] bool may_slip_back() const override {
     return has_slip_state() && !friction_.sticks && machine_->following_ring() == nullptr;

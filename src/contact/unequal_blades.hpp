@@ -18,7 +18,7 @@ class UnequalBlades {
   /// One law for each blade.
   explicit UnequalBlades(std::vector<Law> blades) : blades_(std::move(blades)) {}
 
-  [[nodiscard]] std::size_t count() const { return blades_.size(); }
+  [[nodiscard]] int count() const { return static_cast<int>(blades_.size()); }
   [[nodiscard]] const Law& of(int blade) const { return blades_[static_cast<std::size_t>(blade)]; }
 
   /// The same blades, each shorter by what it has lost at its tip [m].
