@@ -112,7 +112,7 @@ InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, Mak
       // Where g is a rounding error, so is the force.
       const double same = 1e-8 * m.law.load_unit();
       if (stands != touch.has_value() ||
-          (stands && std::abs(law.force(*touch, at, m.rotor.speed_ratio).normal - force.normal) > same))
+          (stands && std::abs(law.force(*touch, {at, m.rotor.speed_ratio}).normal - force.normal) > same))
         ++result.differ_at_start;
       if (!touch) continue;
       arc.begin(start.time, rotor::shaft_and_ring(start.state), std::array{*touch});
@@ -130,10 +130,8 @@ InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, Mak
       // Both at the time where the steps end; after a lift-off without a force.
       std::complex<double> force_then;
       if (end.kind != modes::Guard::lift_off) {
-        const contact::Pose there = pose_at(m, start.blade, arc.end().time, state);
-        force_then =
-            contact::on_rotor(law.force(arc.touch_of(start.blade, arc.end()), there, m.rotor.speed_ratio),
-                              m.blades.direction(start.blade, m.blades.first(arc.end().time)));
+        force_then = contact::on_rotor(arc.force(arc.touch_of(start.blade, arc.end()), arc.end()),
+                                       m.blades.direction(start.blade, m.blades.first(arc.end().time)));
       }
       const auto acceleration = rotor::shaft_acceleration(m.rotor, state, force_then);
       const double late = end.time - arc.end().time;
