@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
-#include <numbers>
-#include <utility>
 #include <vector>
 
 namespace rubatlas::collocation {
@@ -13,25 +11,15 @@ namespace {
 EvenRule gauss(std::size_t count) {
   using Real = long double;
   constexpr double kLeft = 1e-17;
+  const auto degree = static_cast<int>(2 * count);
   EvenRule rule;
   rule.count = count;
   rule.least_ellipse = std::pow(kLeft, -1.0 / static_cast<double>(4 * count));
-  const auto degree = 2 * count;
-  for (std::size_t i = 0; i < count; ++i) {
-    Real x = std::cos(std::numbers::pi_v<Real> * (static_cast<Real>(i) + 0.75L) /
-                      (static_cast<Real>(degree) + 0.5L));
-    Real slope = 0;
-    constexpr int kIterations = 6;
-    for (int iteration = 0; iteration < kIterations; ++iteration) {
-      Real before = 1;
-      Real now = x;
-      for (unsigned k = 1; k < degree; ++k)
-        before = std::exchange(now, boost::math::legendre_next(k, x, now, before));
-      slope = static_cast<Real>(degree) * (x * now - before) / (x * x - 1);
-      x -= now / slope;
-    }
-    rule.square[i] = static_cast<double>(x * x);
-    rule.weight[i] = static_cast<double>(2 / ((1 - x * x) * slope * slope));
+  std::size_t place = count;
+  for (const Real x : boost::math::legendre_p_zeros<Real>(degree)) {  // the positive ones
+    const Real slope = boost::math::legendre_p_prime(degree, x);
+    rule.square[--place] = static_cast<double>(x * x);
+    rule.weight[place] = static_cast<double>(2 / ((1 - x * x) * slope * slope));
   }
   return rule;
 }
