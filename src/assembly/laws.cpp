@@ -61,11 +61,8 @@ std::unique_ptr<collocation::Law> law_of_inclined_loads(const LineRequest& reque
                              ? contact::LoadDirection::normal
                              : contact::LoadDirection::axial;
   const contact::Friction friction = friction_of(request);
-  const bool has_curve =
-      direction == contact::LoadDirection::axial && friction.has_slip_state() && friction.friction > 0.0;
   return of_blades<collocation::InclinedLaw>(request, [&](const auto& geometry, const auto& blade) {
-    return contact::DirectedElastica(direction, geometry, variation::blade_of(blade), friction,
-                                     has_curve ? curve_of(request, blade) : nullptr);
+    return contact::DirectedElastica(direction, geometry, variation::blade_of(blade), friction);
   });
 }
 

@@ -47,7 +47,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
     touching = held;
   }
   const int leads = touching[leader].blade;
-  law_->take(touching[leader], touching.size() == 1);
+  law_->take(touching[leader]);
   start_.bending = law_->lead(touching[leader]);
   if (law_->is_rigid() && std::ranges::count(touching, 0.0, &Touch::slip) > 0) {
     held.assign(touching.begin(), touching.end());
@@ -72,7 +72,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   start(touching[leader], there);
   for (const Touch& touch : touching) {
     if (touch.blade == leads) continue;
-    law_->take(touch, false);
+    law_->take(touch);
     const contact::Pose at = pose(touch.blade, start_);
     BladeStart& tip = start(touch, at);
     law_->set_course(touch, {at, speed}, tip);

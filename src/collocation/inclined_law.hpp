@@ -33,9 +33,7 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
 
   [[nodiscard]] Blade numbers(int blade) const override {
     const auto& law = of(blade);
-    const blade::ElasticaCurve* const curve = law.curve();
-    return {.table = curve != nullptr ? &curve->over_asinh() : nullptr,
-            .reach = law.geometry().reach,
+    return {.reach = law.geometry().reach,
             .closing = law.geometry().closing(),
             .length = law.length(),
             .load_unit = law.load_unit(),
@@ -70,14 +68,11 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
     if (!law.respond(at.pose, touch.slip, at.speed, opened.bend, force)) return std::nullopt;
     return opened;
   }
-  void take(const Touch& touch, bool alone) override {
+  void take(const Touch& touch) override {
     InclinedLoad& load = loads_[static_cast<std::size_t>(touch.blade)];
     load.rests = touch.slip == 0.0;
     load.side = side(touch);
-    load.table = alone && load.side == touch.slip ? numbers(touch.blade).table : nullptr;
-    load.scale = load.table != nullptr
-                     ? load.bending_slope(0.0)
-                     : std::max(2.0 * std::abs(lean_of(touch.bend)), InclinedLoad::kLeastScale);
+    load.scale = std::max(2.0 * std::abs(lean_of(touch.bend)), InclinedLoad::kLeastScale);
   }
   Bending lead(const Touch& touch) override {
     leader_ = touch.blade;
@@ -86,7 +81,7 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
     has_branches_ =
         load.along_normal || load.rests || !load.friction.has_slip_state() || load.side * touch.slip < 0.0;
     const double lean = lean_of(touch.bend);
-    if (load.table == nullptr && touch.touches_down()) set_knots(load, lean);
+    if (touch.touches_down()) set_knots(load, lean);
     deflection_per_square_ = of(leader_).length() * load.deflection_per_square(lean);
     return {argument_of(touch), lean};
   }
@@ -123,10 +118,7 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
     const double slope = load_of(touch.blade).bending_slope(argument_of(touch));
     return {onwards * time, onwards * bending / slope, onwards * lean};
   }
-  [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override {
-    if (load_of(leader_).table != nullptr) return load_of(leader_).table->knots();
-    return knots_;
-  }
+  [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override { return knots_; }
   [[nodiscard]] double deflection_per_square() const override { return deflection_per_square_; }
   void set_course(const Touch& touch, const TipPlace& at, BladeStart& start) const override {
     const double argument = argument_of(touch);
@@ -145,13 +137,7 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
   }
   [[nodiscard]] bool solve(const Machine& machine, const Closeness& closeness,
                            Interval& interval) const override {
-    TipInTime& leader = interval.leader();
-    const blade::BendingTable* const table = leader.load->table;
-    if (table == nullptr) return solver_.solve_inclined(machine, closeness, interval);
-    // As a blade of the paper's law.
-    leader.lean.value.fill(std::sin(0.5 * table->scale()));
-    leader.chart_left.value.fill(leader.start_chart_left);
-    return solver_.solve(machine, closeness, interval);
+    return solver_.solve_inclined(machine, closeness, interval);
   }
   [[nodiscard]] Touch touch(const TipStart& tip, const Bending& bending) const override {
     const InclinedLoad& load = load_of(tip.number);
@@ -216,7 +202,6 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
     if (lean < kLeastLean) return false;
     InclinedLoad load = load_of(touch.blade);
     load.rests = false;
-    load.table = nullptr;  // of the contact before
     load.side = std::copysign(1.0, first);
     load.scale = 2.0 * lean;
     const Blade blade = numbers(touch.blade);

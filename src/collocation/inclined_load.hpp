@@ -14,21 +14,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "blade/bending_table.hpp"
 #include "contact/friction_law.hpp"
 #include "contact/sticking_elastica.hpp"
 
 namespace rubatlas::collocation {
 
-/// Where Coulomb's friction pushes an axial load to the side to which the blade is bent, l is constant and
-/// the blade's curve is that of the paper's law. The arc of one such blade is one over the p of its table.
 struct InclinedLoad {
   bool along_normal;  ///< else along the undeformed blade (`contact::LoadDirection`)
   contact::Friction friction;
-  bool rests = false;                          ///< a tip that sticks: v = 0 takes the place of c = c(v)
-  double side = 1.0;                           ///< ±1: to which the blade is bent, the sign of κ
-  double scale = 1.0;                          ///< σ [-]
-  const blade::BendingTable* table = nullptr;  ///< where p is its p
+  bool rests = false;  ///< a tip that sticks: v = 0 takes the place of c = c(v)
+  double side = 1.0;   ///< ±1: to which the blade is bent, the sign of κ
+  double scale = 1.0;  ///< σ [-]
 
   static constexpr double kLeastScale = 1e-3;  ///< of σ
 
@@ -57,7 +53,6 @@ struct InclinedLoad {
 
   /// u of p.
   [[nodiscard]] double bending(double p) const {
-    if (table != nullptr) return bending_of_table(p);
     const double square = p * p;
     return scale * p *
            (1.0 +
@@ -65,7 +60,6 @@ struct InclinedLoad {
   }
   /// du/dp.
   [[nodiscard]] double bending_slope(double p) const {
-    if (table != nullptr) return bending_slope_of_table(p);
     const double square = p * p;
     return scale *
            (1.0 + square * (0.5 + square * (1.0 / 24 + square * (1.0 / 720 + square * (1.0 / 40320)))));
@@ -76,10 +70,6 @@ struct InclinedLoad {
   }
   /// p of u.
   [[nodiscard]] double argument(double u) const;
-
- private:
-  [[nodiscard]] double bending_of_table(double p) const;
-  [[nodiscard]] double bending_slope_of_table(double p) const;
 };
 
 }  // namespace rubatlas::collocation

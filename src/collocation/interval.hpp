@@ -114,7 +114,7 @@ struct TipInTime : TipStart {
                           ///< of a rigid blade; λ, and `kShareBeyond`, of a tip that skims
   AtNodes slip_velocity;  ///< v of the tip (MODEL 4.4) [m per unit τ]
   AtNodes normal_force;   ///< F [N]
-  // Of a blade under an inclined load (`inclined_load.hpp`), also of one that has a curve.
+  // Of a blade under an inclined load (`inclined_load.hpp`).
   AtNodes root_strain;  ///< bending strain at the root [-]
   AtNodes lean;         ///< l: a first guess, then the solution
   AtNodes shortening;   ///< δ/L

@@ -305,14 +305,6 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     return tip.argument_slope * (-0.5 * (1.0 - short_of_fold)) +
            tip.place.across * tip.slope.deflection * short_of_fold;
   }
-  /// With the root's moment, F Δ + μF (L − δ).
-  static void store_bend(const Tip& tip) {
-    const Blade& blade = *tip.blade;
-    const Number shortening = tip.bent.along * (1.0 / blade.length);
-    const Number lever =
-        tip.bent.across * (tip.slip / blade.length) + (Number(1.0) - shortening) * blade.friction;
-    (tip.load * lever * (blade.strain_unit / blade.load_unit)).store(tip.in_time->root_strain);
-  }
   void store(Tip& tip, const Direction& er) const {
     TipInTime& stored = *tip.in_time;
     if (is_straight(tip) && is_damped(*tip.blade)) {
@@ -339,7 +331,6 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     slip_velocity_of(tip, er).store(stored.slip_velocity);
     (skims(tip) ? tip.load * share_ : tip.load).store(stored.normal_force);
     (tip.bent.along * (1.0 / tip.blade->length)).store(stored.shortening);
-    if (stored.load != nullptr) store_bend(tip);
     if (is_damped(*tip.blade)) tip.yielding.store(stored.yielding);
   }
   void store() {

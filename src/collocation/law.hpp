@@ -96,8 +96,8 @@ class Law {
   [[nodiscard]] bool is_free_at_once(const Touch& touch, const TipPlace& at) const {
     return !ends_at_ring() && (is_rigid() || touch.straight) && !(force(touch, at).normal > 0.0);
   }
-  /// A contact begins anew with the arc, the leading one first, which may be `alone`.
-  virtual void take(const Touch& /*touch*/, bool /*alone*/) {}
+  /// A contact begins anew with the arc, the leading one first.
+  virtual void take(const Touch& /*touch*/) {}
   /// This contact leads. Gives how far its blade is bent.
   virtual Bending lead(const Touch& touch) = 0;
   /// ±1: to which side a blade is bent.

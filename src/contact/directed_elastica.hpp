@@ -22,11 +22,8 @@
 #pragma once
 
 #include <cmath>
-#include <memory>
 #include <optional>
-#include <utility>
 
-#include "blade/elastica_curve.hpp"
 #include "blade/inclined_elastica.hpp"
 #include "contact/elastica_contact.hpp"
 #include "contact/friction_law.hpp"
@@ -38,20 +35,15 @@ namespace rubatlas::contact {
 
 class DirectedElastica : public ElasticBladeInRing {
  public:
-  /// `curve`: of this friction under an axial load, where that is the load; null: not at hand.
   DirectedElastica(LoadDirection direction, const Geometry& geometry, const Blade& blade,
-                   const Friction& friction, std::shared_ptr<const blade::ElasticaCurve> curve = nullptr)
-      : ElasticBladeInRing(geometry, blade),
-        direction_(direction),
-        friction_(friction),
-        curve_(std::move(curve)) {}
+                   const Friction& friction)
+      : ElasticBladeInRing(geometry, blade), direction_(direction), friction_(friction) {}
 
   [[nodiscard]] LoadDirection direction() const { return direction_; }
   [[nodiscard]] const Friction& friction() const { return friction_; }
-  [[nodiscard]] const blade::ElasticaCurve* curve() const { return curve_.get(); }
   /// The same blade, shorter at its tip by `lost` [m].
   [[nodiscard]] DirectedElastica shortened(double lost) const {
-    return {direction_, geometry_.shortened(lost), blade(lost), friction_, curve_};
+    return {direction_, geometry_.shortened(lost), blade(lost), friction_};
   }
   /// The same blade under another friction law.
   [[nodiscard]] DirectedElastica with_friction(const Friction& friction) const {
@@ -218,7 +210,6 @@ class DirectedElastica : public ElasticBladeInRing {
 
   LoadDirection direction_;
   Friction friction_;
-  std::shared_ptr<const blade::ElasticaCurve> curve_;
 };
 
 }  // namespace rubatlas::contact
