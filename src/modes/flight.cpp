@@ -38,18 +38,13 @@ rotor::State Flight::shaft(double time) const {
   const double elapsed = time - start_;
   if (supported_ != nullptr)
     return supported_->support.state(start_, at_start_.head<4>().matrix(), elapsed).array();
-  const Complex from(at_start_[0], at_start_[1]);
-  const Complex moving(at_start_[2], at_start_[3]);
   const auto kernel = free_.kernel(elapsed);
-  const double damping = free_.damping_ratio();
-  Complex position = rotor::FreeMotion::position(kernel, damping, from, moving);
-  Complex velocity = rotor::FreeMotion::velocity(kernel, damping, from, moving);
+  rotor::State state = free_.moved(rotor::shaft(at_start_), kernel);
   if (harmonics_ != nullptr) {
-    const auto response = harmonics_->from_rest(start_, elapsed, free_, kernel);
-    position += response.position;
-    velocity += response.velocity;
+    const auto [position, velocity] = harmonics_->from_rest(start_, elapsed, free_, kernel);
+    state += rotor::State(position.real(), position.imag(), velocity.real(), velocity.imag());
   }
-  return {position.real(), position.imag(), velocity.real(), velocity.imag()};
+  return state;
 }
 
 rotor::ShaftAndRing Flight::state(double time) const {
@@ -91,26 +86,13 @@ double Flight::time_of_bound() const {
   return supported_ != nullptr ? supported_->bounds.growth_time() : std::numeric_limits<double>::infinity();
 }
 
-DerivativeBounds Flight::derivative_bounds(const FlightBound& bound) const {
-  DerivativeBounds result{};
-  if (supported_ != nullptr) {
-    const rotor::SupportBounds& bounds = supported_->bounds;
-    result = {bounds.second_bound(bound.shaft), bounds.third_bound(bound.shaft),
-              bounds.fourth_bound(bound.shaft)};
-  } else {
-    // z'' is written with z, z' and the forcing, then each derivative with the two before it.
-    const rotor::Harmonics& forcing = *machine_->harmonics();
-    const double damping = 2.0 * free_.damping_ratio();
-    const double second = std::sqrt(1.0 + damping * damping) * bound.shaft + forcing.amplitude();
-    const double third = damping * second + bound.shaft + forcing.rate();
-    result = {second, third, damping * third + second + forcing.rate_of_rate()};
-  }
-  if (ring_ != nullptr) {
-    result.second += ring_->second_bound(bound.ring_velocity);
-    result.third += ring_->third_bound(bound.ring_velocity);
-    result.fourth += ring_->fourth_bound(bound.ring_velocity);
-  }
-  return result;
+rotor::DerivativeBounds Flight::derivative_bounds(const FlightBound& bound) const {
+  const auto of_shaft = supported_ != nullptr
+                            ? supported_->bounds.derivative_bounds(bound.shaft)
+                            : free_.derivative_bounds(bound.shaft, machine_->harmonics()->bounds());
+  if (ring_ == nullptr) return of_shaft;
+  const auto of_ring = ring_->derivative_bounds(bound.ring_velocity);
+  return {of_shaft.second + of_ring.second, of_shaft.third + of_ring.third, of_shaft.fourth + of_ring.fourth};
 }
 
 std::int64_t Flight::price_of_state() const {

@@ -27,13 +27,6 @@ struct FlightBound {
   [[nodiscard]] double velocity() const { return shaft + ring_velocity; }
 };
 
-/// Bounds of derivatives [m per unit τ², τ³, τ⁴].
-struct DerivativeBounds {
-  double second;
-  double third;
-  double fourth;
-};
-
 class Flight {
  public:
   using Complex = std::complex<double>;
@@ -69,7 +62,7 @@ class Flight {
   [[nodiscard]] double time_of_bound() const;
 
   /// Of z − r while its bound holds.
-  [[nodiscard]] DerivativeBounds derivative_bounds(const FlightBound& bound) const;
+  [[nodiscard]] rotor::DerivativeBounds derivative_bounds(const FlightBound& bound) const;
 
   /// Price of one state [ns].
   [[nodiscard]] std::int64_t price_of_state() const;

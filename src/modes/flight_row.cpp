@@ -46,7 +46,7 @@ DirectionsOfRow of_angles(const RowValues& angles) {
 }  // namespace
 
 StateRow::StateRow(const rotor::Machine& machine, double spacing)
-    : spacing_(spacing), isotropic_(rotor::FreeMotion(machine.constants.damping_ratio), 1.0, spacing) {
+    : spacing_(spacing), isotropic_(rotor::FreeMotion(machine.constants.damping_ratio), spacing) {
   if (const rotor::Harmonics* harmonics = machine.harmonics()) {
     const rotor::FreeMotion free(machine.constants.damping_ratio);
     for (const rotor::Harmonic& term : harmonics->terms()) {
@@ -126,8 +126,7 @@ FlightRow::FlightRow(const rotor::Machine& machine, double spacing)
     : misalignment_(machine.constants.misalignment),
       states_(machine, spacing),
       turn_(machine.blades, spacing) {
-  if (const rotor::RingBody* body = machine.ring_body())
-    ring_.emplace(body->free_motion(), body->frequency(), spacing);
+  if (const rotor::RingBody* body = machine.ring_body()) ring_.emplace(*body, spacing);
 }
 
 void FlightRow::start(double time, const rotor::ShaftAndRing& bodies, double fourth_bound) {

@@ -36,11 +36,10 @@ using StatesOfRow = std::array<RowValues, 4>;
 /// z'' + 2ζν z' + ν² z = 0 one to eight spacings after its start.
 class FreeRow {
  public:
-  /// `frequency`: ν [-].
-  FreeRow(const rotor::FreeMotion& free, double frequency, double spacing)
-      : damping_ratio_(free.damping_ratio()), frequency_(frequency) {
+  FreeRow(const rotor::FreeMotion& free, double spacing)
+      : damping_ratio_(free.damping_ratio()), frequency_(free.frequency()) {
     for (int i = 0; i < kTimesOfRow; ++i) {
-      const auto kernel = free.kernel((i + 1) * (frequency * spacing));
+      const auto kernel = free.kernel((i + 1) * (frequency_ * spacing));
       cosine_[i] = kernel.cosine;
       sine_[i] = kernel.sine;
     }

@@ -141,16 +141,16 @@ class Harmonics {
 
   explicit Harmonics(std::vector<Harmonic> terms) : terms_(std::move(terms)) {
     for (const Harmonic& term : terms_) {
-      amplitude_ += term.amplitude();
-      rate_ += term.rate();
-      rate_of_rate_ += term.rate_of_rate();
+      bounds_.second += term.amplitude();
+      bounds_.third += term.rate();
+      bounds_.fourth += term.rate_of_rate();
     }
   }
 
   [[nodiscard]] const std::vector<Harmonic>& terms() const { return terms_; }
-  [[nodiscard]] double amplitude() const { return amplitude_; }
-  [[nodiscard]] double rate() const { return rate_; }
-  [[nodiscard]] double rate_of_rate() const { return rate_of_rate_; }
+  [[nodiscard]] double amplitude() const { return bounds_.second; }
+  /// Of the acceleration and of its derivatives.
+  [[nodiscard]] const DerivativeBounds& bounds() const { return bounds_; }
   [[nodiscard]] Complex acceleration(double time) const {
     Complex sum = 0.0;
     for (const Harmonic& term : terms_) sum += term.acceleration(time);
@@ -187,9 +187,7 @@ class Harmonics {
 
  private:
   std::vector<Harmonic> terms_;
-  double amplitude_ = 0.0;
-  double rate_ = 0.0;
-  double rate_of_rate_ = 0.0;
+  DerivativeBounds bounds_{};
 };
 
 }  // namespace rubatlas::rotor

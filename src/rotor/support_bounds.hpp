@@ -19,6 +19,7 @@
 #include <cmath>
 #include <vector>
 
+#include "rotor/free_motion.hpp"
 #include "rotor/linear_support.hpp"
 
 namespace rubatlas::rotor {
@@ -41,9 +42,9 @@ class SupportBounds {
   [[nodiscard]] double amplitude_bound(double time, const State& state, double horizon) const;
 
   /// Bounds of |z''|, |z'''| and |z''''| while (|z|² + |z'|²)^½ <= `bound`.
-  [[nodiscard]] double second_bound(double bound) const { return second_(bound); }
-  [[nodiscard]] double third_bound(double bound) const { return third_(bound); }
-  [[nodiscard]] double fourth_bound(double bound) const { return fourth_(bound); }
+  [[nodiscard]] DerivativeBounds derivative_bounds(double bound) const {
+    return {second_(bound), third_(bound), fourth_(bound)};
+  }
 
   /// Bound of |f| [m per unit τ²]: the sum of the amplitudes.
   [[nodiscard]] double forcing_bound() const { return forcing_; }

@@ -98,9 +98,9 @@ TEST(RingBody, BoundsOfItsFreeMotionHold) {
       const double time = 1e-3 * i;
       const RingBody::State now = ring.free(start, time);
       EXPECT_LE(ring.energy_norm(now), norm * (1.0 + 1e-14));
-      EXPECT_LE(std::abs(ring.acceleration(now, 0.0)), ring.second_bound(norm));
+      EXPECT_LE(std::abs(ring.acceleration(now, 0.0)), ring.derivative_bounds(norm).second);
       const auto change = ring.acceleration(ring.free(start, time + step), 0.0) - ring.acceleration(now, 0.0);
-      EXPECT_LE(std::abs(change) / step, ring.third_bound(norm));
+      EXPECT_LE(std::abs(change) / step, ring.derivative_bounds(norm).third);
     }
   }
 }

@@ -172,11 +172,11 @@ TEST(SupportBounds, DerivativesStayBelowTheirBounds) {
         return Complex(static_cast<double>(whole[0]), static_cast<double>(whole[1]));
       };
       const double bound = state.norm();
-      ASSERT_LE(std::abs(leading(second)), bounds.second_bound(bound) * (1 + 1e-15));
-      ASSERT_LE(std::abs(leading(third)), bounds.third_bound(bound) * (1 + 1e-15));
-      ASSERT_LE(std::abs(leading(fourth)), bounds.fourth_bound(bound) * (1 + 1e-15));
+      ASSERT_LE(std::abs(leading(second)), bounds.derivative_bounds(bound).second * (1 + 1e-15));
+      ASSERT_LE(std::abs(leading(third)), bounds.derivative_bounds(bound).third * (1 + 1e-15));
+      ASSERT_LE(std::abs(leading(fourth)), bounds.derivative_bounds(bound).fourth * (1 + 1e-15));
       if (parts.forcing.empty())
-        closest = std::max(closest, std::abs(leading(third)) / bounds.third_bound(bound));
+        closest = std::max(closest, std::abs(leading(third)) / bounds.derivative_bounds(bound).third);
     }
   }
   EXPECT_GT(closest, 0.98);  // some state is bent as much as the bound allows
@@ -186,9 +186,10 @@ TEST(SupportBounds, IsotropicDerivativeBoundsAreThoseOfTheJeffcottRotor) {
   for (const double damping : {0.0, 0.1, 5.0}) {
     const SupportBounds bounds(support_of(isotropic_shaft(damping)));
     const double c = 2 * damping;
-    EXPECT_NEAR(bounds.second_bound(1.0), std::hypot(1.0, c), 1e-13 * (1 + c));
-    EXPECT_NEAR(bounds.third_bound(1.0), std::hypot(c, c * c - 1), 1e-14 * (1 + c * c));
-    EXPECT_NEAR(bounds.fourth_bound(1.0), std::hypot(c * c - 1, c * (c * c - 2)), 1e-14 * (1 + c * c * c));
+    EXPECT_NEAR(bounds.derivative_bounds(1.0).second, std::hypot(1.0, c), 1e-13 * (1 + c));
+    EXPECT_NEAR(bounds.derivative_bounds(1.0).third, std::hypot(c, c * c - 1), 1e-14 * (1 + c * c));
+    EXPECT_NEAR(bounds.derivative_bounds(1.0).fourth, std::hypot(c * c - 1, c * (c * c - 2)),
+                1e-14 * (1 + c * c * c));
   }
 }
 
@@ -213,7 +214,7 @@ TEST(SupportBounds, FlightAndItsBoundsAskForNoMemory) {
   for (const double elapsed : {0.0, 0.3, 20.0, 500.0}) {
     const State state = support.state(0.1, kBegin, elapsed);
     sum += bounds.amplitude_bound(elapsed, state, 1.0) + std::abs(support.acceleration(elapsed, state)) +
-           bounds.second_bound(1.0) + bounds.third_bound(1.0);
+           bounds.derivative_bounds(1.0).second + bounds.derivative_bounds(1.0).third;
   }
   EXPECT_EQ(integrate::allocations() - before, 0u);
   EXPECT_GT(sum, 0.0);
