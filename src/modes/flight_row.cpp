@@ -47,6 +47,9 @@ DirectionsOfRow of_angles(const RowValues& angles) {
 
 StateRow::StateRow(const rotor::Machine& machine, double spacing)
     : spacing_(spacing), isotropic_(rotor::FreeMotion(machine.constants.damping_ratio), spacing) {
+  const auto set = [](StatesOfRow& states, int i, const Eigen::Vector4d& there) {
+    for (std::size_t to = 0; to < 4; ++to) states[to][i] = there[static_cast<Eigen::Index>(to)];
+  };
   if (const rotor::Harmonics* harmonics = machine.harmonics()) {
     const rotor::FreeMotion free(machine.constants.damping_ratio);
     for (const rotor::Harmonic& term : harmonics->terms()) {
@@ -54,11 +57,8 @@ StateRow::StateRow(const rotor::Machine& machine, double spacing)
       response.frequency = term.frequency();
       for (int i = 0; i < kTimesOfRow; ++i) {
         const double elapsed = (i + 1) * spacing_;
-        const auto from_rest = term.from_rest(0.0, elapsed, free, free.kernel(elapsed));
-        response.along[0][i] = from_rest.position.real();
-        response.along[1][i] = from_rest.position.imag();
-        response.along[2][i] = from_rest.velocity.real();
-        response.along[3][i] = from_rest.velocity.imag();
+        const auto [position, velocity] = term.from_rest(0.0, elapsed, free, free.kernel(elapsed));
+        set(response.along, i, {position.real(), position.imag(), velocity.real(), velocity.imag()});
       }
       response.across = {-response.along[1], response.along[0], -response.along[3], response.along[2]};
     }
@@ -68,22 +68,15 @@ StateRow::StateRow(const rotor::Machine& machine, double spacing)
   supported_.resize(4);
   responses_.resize(support.terms().size());
   for (int i = 0; i < kTimesOfRow; ++i) {
-    const rotor::LinearSupport::Propagator over = support.propagator((i + 1) * spacing_);
-    for (std::size_t from = 0; from < 4; ++from) {
-      for (std::size_t to = 0; to < 4; ++to)
-        supported_[from][to][i] = over.free(static_cast<int>(to), static_cast<int>(from));
-    }
+    const double elapsed = (i + 1) * spacing_;
+    for (Eigen::Index from = 0; from < 4; ++from)
+      set(supported_[static_cast<std::size_t>(from)], i, support.free(Eigen::Vector4d::Unit(from), elapsed));
+    const auto forced = support.from_rest(elapsed);
     for (std::size_t j = 0; j < responses_.size(); ++j) {
-      const rotor::HarmonicForcing& term = support.terms()[j];
-      responses_[j].frequency = term.frequency;
-      const double real = term.amplitude.real();
-      const double imaginary = term.amplitude.imag();
-      const Eigen::Vector4d along = over.forced[j] * Eigen::Vector2d(real, imaginary);
-      const Eigen::Vector4d across = over.forced[j] * Eigen::Vector2d(-imaginary, real);
-      for (std::size_t to = 0; to < 4; ++to) {
-        responses_[j].along[to][i] = along[static_cast<int>(to)];
-        responses_[j].across[to][i] = across[static_cast<int>(to)];
-      }
+      const auto& [amplitude, frequency] = support.terms()[j];
+      responses_[j].frequency = frequency;
+      set(responses_[j].along, i, forced[j] * Eigen::Vector2d(amplitude.real(), amplitude.imag()));
+      set(responses_[j].across, i, forced[j] * Eigen::Vector2d(-amplitude.imag(), amplitude.real()));
     }
   }
 }
@@ -111,7 +104,8 @@ TurnRow::TurnRow(const rotor::BladeSet& blades, double spacing)
   speed_.setConstant(speed_at_start_);
 }
 
-void TurnRow::start_in_ripple(double time) {
+void TurnRow::start(double time) {
+  if (!blades_->ripples()) return;
   const contact::BladeDirection start = blades_->ripple(time);
   const auto [cosine, sine] = ripple_.turned(start);
   const double amplitude = blades_->ripple_amplitude();

@@ -108,9 +108,7 @@ class TurnRow {
   TurnRow(const rotor::BladeSet& blades, double spacing);
 
   /// Moves the row to a time τ of the revolution, which its eight times follow.
-  void start(double time) {
-    if (blades_->ripples()) start_in_ripple(time);
-  }
+  void start(double time);
 
   /// Of the angle by which the hub turns from the start of the row.
   [[nodiscard]] const DirectionsOfRow& turned() const { return turned_; }
@@ -119,8 +117,6 @@ class TurnRow {
   [[nodiscard]] const RowValues& speed() const { return speed_; }
 
  private:
-  void start_in_ripple(double time);
-
   const rotor::BladeSet* blades_;
   DirectionsOfRow mean_;    ///< of the angle at the mean speed
   DirectionsOfRow ripple_;  ///< of the angle by which the ripple goes on

@@ -145,25 +145,26 @@ LinearSupport::State LinearSupport::state(double start_time, const State& start,
   return state;
 }
 
-LinearSupport::Propagator LinearSupport::propagator(double elapsed) const {
-  Propagator result;
+LinearSupport::State LinearSupport::free(const State& start, double elapsed) const {
+  State state = start;
   Phasors phasors;
   phasors.first = 0;
   phasors.count = 0;
-  for (int i = 0; i < 4; ++i) {
-    State state = State::Unit(i);
-    pass(elapsed, state, phasors);
-    result.free.col(i) = state;
-  }
+  pass(elapsed, state, phasors);
+  return state;
+}
+
+std::vector<Eigen::Matrix<double, 4, 2>> LinearSupport::from_rest(double elapsed) const {
+  Phasors phasors;
   phasors.count = 1;
-  result.forced.resize(terms_.size());
-  for (; phasors.first < terms_.size(); ++phasors.first) {
+  std::vector<Eigen::Matrix<double, 4, 2>> result(terms_.size());
+  for (phasors.first = 0; phasors.first < terms_.size(); ++phasors.first) {
     for (int i = 0; i < 2; ++i) {
       phasors.real[0] = i == 0 ? 1.0 : 0.0;
       phasors.imaginary[0] = i == 0 ? 0.0 : 1.0;
       State state = State::Zero();
       pass(elapsed, state, phasors);
-      result.forced[phasors.first].col(i) = state;
+      result[phasors.first].col(i) = state;
     }
   }
   return result;

@@ -49,13 +49,11 @@ class LinearSupport {
   /// roundings of the largest motion on the way.
   [[nodiscard]] State state(double start_time, const State& start, double elapsed) const;
 
-  /// Free motion over a time, on its start; and the response from rest over that time to each forcing, on the
-  /// real and imaginary part of its F e^{iντ} at the start.
-  struct Propagator {
-    Eigen::Matrix4d free;
-    std::vector<Eigen::Matrix<double, 4, 2>> forced;
-  };
-  [[nodiscard]] Propagator propagator(double elapsed) const;
+  /// The same without forcing.
+  [[nodiscard]] State free(const State& start, double elapsed) const;
+
+  /// The response from rest to each forcing, on the real and imaginary part of its F e^{iντ} at the start.
+  [[nodiscard]] std::vector<Eigen::Matrix<double, 4, 2>> from_rest(double elapsed) const;
 
   /// z'' [m per unit τ²] of the support alone, and with the forcing.
   [[nodiscard]] Complex acceleration(const State& state) const;
