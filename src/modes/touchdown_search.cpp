@@ -103,29 +103,23 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
   double time = flight_->start_time();
   rotor::ShaftAndRing bodies = flight_->at_start();
   rows_.clear();
-  gaps_.clear();
   // The shaft cannot leave the clearance circle: no blade can touch, and there is nothing to search.
   const double bound = flight_->bound(time, bodies, until - time, false).position();
   if (bound + std::abs(machine_->constants.misalignment) <= ring_radius_ - farthest_) return std::nullopt;
-  const int count = static_cast<int>(blades_.size());
   const std::int64_t price = price_of_row();
   Outlook ahead = outlook(time, bodies, until, false);
   for (int rows = 1; time < until; ++rows) {
     if (!meter_->spend(Work::flight, price)) return std::nullopt;
     FlightRow& row = *ahead.row;
-    row.start(time, bodies, ahead.fourth);
+    const std::span<const FlightRow::Gaps> gaps = read(row, time, bodies, ahead.fourth);
     evaluations_ += blades_.size();
-    const contact::BladeDirection first = machine_->blades.first(time);
     int doubt = FlightRow::kTimes;
-    const bool keeps = keeps_rows_ && rows_.size() < kMostRows;
-    for (int k = 0; k < count; ++k) {
-      const FlightRow::Gaps gaps = gaps_of(row, k, first);
-      int& of_blade = first_doubts_[static_cast<std::size_t>(k)];
-      of_blade = row.first_doubt(gaps, rounding_);
-      doubt = std::min(doubt, of_blade);
-      if (keeps) gaps_.push_back(gaps);
+    for (std::size_t k = 0; k < gaps.size(); ++k) {
+      first_doubts_[k] = row.first_doubt(gaps[k], rounding_);
+      doubt = std::min(doubt, first_doubts_[k]);
     }
-    if (keeps) rows_.push_back({time, row.spacing(), std::min(doubt + 1, FlightRow::kTimes)});
+    if (keeps_rows_ && rows_.size() < kMostRows)
+      rows_.push_back({time, row.spacing(), std::min(doubt + 1, FlightRow::kTimes)});
     if (doubt > 0) {
       time += doubt * row.spacing();
       bodies = rows % kRowsFromClosedForm != 0 ? row.state(doubt - 1) : flight_->state(time);
@@ -134,12 +128,13 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
       if (time >= until) break;
       const double end = std::min(time + row.spacing(), until);
       std::optional<Touchdown> touchdown;
-      for (int k = 0; k < count; ++k) {
-        if (first_doubts_[static_cast<std::size_t>(k)] > doubt) continue;
-        const auto guess = row.only_crossing(gaps_of(row, k, first), doubt, rounding_);
+      for (std::size_t k = 0; k < gaps.size(); ++k) {
+        if (first_doubts_[k] > doubt) continue;
+        const int blade = static_cast<int>(k);
+        const auto guess = row.only_crossing(gaps[k], doubt, rounding_);
         const double before = touchdown ? touchdown->time : end;
-        const auto touch = guess ? by_newton(k, {time, time + row.spacing()}, time + *guess, before)
-                                 : by_steps(geometry(k), k, time, bodies, before);
+        const auto touch = guess ? by_newton(blade, time, time + row.spacing(), time + *guess, before)
+                                 : by_steps(geometry(blade), blade, time, bodies, before);
         if (touch) touchdown = touch;
       }
       if (meter_->ended()) return std::nullopt;
@@ -154,9 +149,22 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
   return std::nullopt;
 }
 
+/// Moves a row to a time of the flight and reads all gaps, behind those of the rows that are kept.
+std::span<const FlightRow::Gaps> TouchdownSearch::read(FlightRow& row, double time,
+                                                       const rotor::ShaftAndRing& bodies,
+                                                       double fourth_bound) {
+  row.start(time, bodies, fourth_bound);
+  const std::size_t kept = rows_.size() * blades_.size();
+  gaps_.resize(kept);
+  const contact::BladeDirection first = machine_->blades.first(time);
+  for (std::size_t k = 0; k < blades_.size(); ++k)
+    gaps_.push_back(row.gaps(blades_[k], machine_->blades.direction(static_cast<int>(k), first)));
+  return std::span(gaps_).subspan(kept);
+}
+
 /// Where the gap of a blade rises all through an interval, from below zero to above: its touch-down before
 /// `until`.
-std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_newton(int blade, const Times& interval,
+std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_newton(int blade, double from, double to,
                                                                      double guess, double until) {
   constexpr double kLastStep = 1e-8;  // [τ]: the last step errs by its square
   const auto gap = [&](double at) {
@@ -166,7 +174,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_newton(int blade, 
     return integrate::ValueAndSlope{
         there.gap, contact::gap_rate(geometry(blade), there, machine_->blades.angular_speed(at))};
   };
-  const double touches = integrate::newton_between(gap, interval.from, interval.to, guess, true, kLastStep);
+  const double touches = integrate::newton_between(gap, from, to, guess, true, kLastStep);
   if (!(touches < until)) return std::nullopt;
   return Touchdown{blade, touches, flight_->state(touches)};
 }
@@ -194,12 +202,6 @@ contact::Pose TouchdownSearch::pose(int blade, double time, const rotor::ShaftAn
 trajectory::Tip TouchdownSearch::tip(int blade, double time) const {
   return tip_of(geometry(blade), pose(blade, time, flight_->state(time)),
                 machine_->blades.angular_speed(time));
-}
-
-/// Of a blade, at the times of the row; `first`: where blade 0 stands at its start.
-FlightRow::Gaps TouchdownSearch::gaps_of(const FlightRow& row, int blade,
-                                         const contact::BladeDirection& first) const {
-  return row.gaps(geometry(blade), machine_->blades.direction(blade, first));
 }
 
 /// A duration from `time` on within which a tip of that geometry cannot touch.

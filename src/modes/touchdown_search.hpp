@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "contact/pose.hpp"
@@ -81,10 +82,9 @@ class TouchdownSearch {
   /// `shows_passes`: the cubics of the rows show where tips pass, besides what may touch.
   [[nodiscard]] Outlook outlook(double time, const rotor::ShaftAndRing& bodies, double until,
                                 bool shows_passes);
-  struct Times {
-    double from, to;  ///< τ of the revolution
-  };
-  std::optional<Touchdown> by_newton(int blade, const Times& interval, double guess, double until);
+  std::span<const FlightRow::Gaps> read(FlightRow& row, double time, const rotor::ShaftAndRing& bodies,
+                                        double fourth_bound);
+  std::optional<Touchdown> by_newton(int blade, double from, double to, double guess, double until);
   std::optional<Touchdown> by_steps(const contact::Geometry& tip, int blade, double time,
                                     rotor::ShaftAndRing bodies, double until);
 
@@ -92,8 +92,6 @@ class TouchdownSearch {
     return blades_[static_cast<std::size_t>(blade)];
   }
   [[nodiscard]] contact::Pose pose(int blade, double time, const rotor::ShaftAndRing& bodies) const;
-  [[nodiscard]] FlightRow::Gaps gaps_of(const FlightRow& row, int blade,
-                                        const contact::BladeDirection& first) const;
 
   static constexpr std::uint16_t kMostRows = 4096;  ///< kept at once
   struct KeptRow {
@@ -107,13 +105,8 @@ class TouchdownSearch {
     return flight_->price_of_state() + static_cast<std::int64_t>(blades_.size()) * WorkPrice::kGap;
   }
   [[nodiscard]] static bool may_have_top(const FlightRow::Gaps& gaps, double spacing);
-  /// The nearest pass so far.
-  struct Nearest {
-    double end;       ///< τ up to which passes count
-    double distance;  ///< that of the pass, or what it is to be nearer than [m]
-    std::optional<trajectory::Pass> pass;
-  };
-  void take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps, Nearest& nearest) const;
+  void take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps, double end,
+                 trajectory::Pass& nearest) const;
 
   [[nodiscard]] double clear_step(const contact::Geometry& geometry, int blade, double time,
                                   const rotor::ShaftAndRing& bodies, double until) const;
@@ -129,10 +122,9 @@ class TouchdownSearch {
   double first_spacing_;           ///< of rows [τ]
   std::vector<int> first_doubts_;  ///< of the blades in a row
   std::map<double, FlightRow> rows_by_spacing_;
-  // What was found along the flight, where it is kept: gaps row by row, and in them blade by blade.
   bool keeps_rows_ = false;
-  std::vector<KeptRow> rows_;
-  std::vector<FlightRow::Gaps> gaps_;
+  std::vector<KeptRow> rows_;          ///< found along the flight, where they are kept
+  std::vector<FlightRow::Gaps> gaps_;  ///< blade by blade in each of them, then in the row that was read last
   std::uint64_t evaluations_ = 0;
 };
 

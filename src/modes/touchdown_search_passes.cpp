@@ -12,26 +12,27 @@ namespace rubatlas::modes {
 std::optional<trajectory::Pass> TouchdownSearch::nearest_pass(double end, double known) {
   keeps_rows_ = true;
   double begin = flight_->start_time();
-  Nearest nearest{end, known, {}};
+  constexpr int kNone = -1;
+  trajectory::Pass nearest{known, 0.0, kNone, 0.0};
   const auto look_at_rows = [&] {
     auto next = gaps_.begin();
     for (const KeptRow& row : rows_) {
       if (!(row.begin < end)) break;
       for (int k = 0; k < static_cast<int>(blades_.size()); ++k) {
         const FlightRow::Gaps& gaps = *next++;
-        if (may_have_top(gaps, row.spacing)) take_tops(row, k, gaps, nearest);  // seldom
+        if (may_have_top(gaps, row.spacing)) take_tops(row, k, gaps, end, nearest);  // seldom
       }
     }
   };
   if (!rows_.empty() && rows_reach(end, outlook(begin, flight_->at_start(), end, true).row->spacing())) {
     look_at_rows();
-    return nearest.pass;
+    begin = end;
   }
   while (begin < end && !meter_->ended()) {
     begin = look_along(begin, end);
     look_at_rows();
   }
-  return nearest.pass;
+  return nearest.blade != kNone ? std::optional(nearest) : std::nullopt;
 }
 
 /// Rows of no larger spacing are kept from the start of the flight as far as `end`.
@@ -47,14 +48,11 @@ double TouchdownSearch::look_along(double begin, double end) {
   rotor::ShaftAndRing bodies = flight_->state(begin);
   FlightRow& row = *outlook(begin, bodies, end, true).row;
   rows_.clear();
-  gaps_.clear();
   const double length = FlightRow::kTimes * row.spacing();
   const auto count = static_cast<int>(std::min(std::ceil((end - begin) / length), double{kMostRows}));
   for (int number = 0; number < count && meter_->spend(Work::flight, price_of_row()); ++number) {
     const double time = begin + number * length;
-    row.start(time, bodies, 0.0);
-    const contact::BladeDirection first = machine_->blades.first(time);
-    for (int k = 0; k < static_cast<int>(blades_.size()); ++k) gaps_.push_back(gaps_of(row, k, first));
+    read(row, time, bodies, 0.0);
     rows_.push_back({time, row.spacing(), FlightRow::kTimes});
     bodies = row.state(FlightRow::kTimes - 1);
   }
@@ -70,18 +68,18 @@ bool TouchdownSearch::may_have_top(const FlightRow::Gaps& gaps, double spacing) 
   return ((rise > 0.0 && (between < 0.0 || gaps.rate <= 0.0)) || (between > 0.0 && gaps.rate < 0.0)).any();
 }
 
-/// Looks at the tops of a blade's gap in a row.
-void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps,
-                                Nearest& nearest) const {
+/// Looks at the tops of a blade's gap in a row, before `end`, for a pass that is nearer.
+void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps, double end,
+                                trajectory::Pass& nearest) const {
   constexpr unsigned kBits = 26;  // a maximum is flat, so its value has twice as many
   const double h = row.spacing;
   double gap_before = gaps.before;
   double rate_before = gaps.rate_before;
-  for (int i = 0; i < row.intervals && row.begin + i * h < nearest.end; ++i) {
+  for (int i = 0; i < row.intervals && row.begin + i * h < end; ++i) {
     const double gap = gaps.gap[i];
     const double rate = gaps.rate[i];
     const double from = row.begin + i * h;
-    const double miss = std::min(nearest.distance, ring_radius_);
+    const double miss = std::min(nearest.miss, ring_radius_);
     const double nearer = miss * (miss - 2.0 * ring_radius_);  // g of a tip that passes nearer than that
     const auto rate_at = [&](double time) {
       return contact::gap_rate(geometry(blade), pose(blade, time, flight_->state(time)),
@@ -97,12 +95,10 @@ void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::
       // Fast decay after a contact may turn a tip round twice between two times.
       top = integrate::first_top(rate_at, from, from + h, rate_before, rate);
     }
-    if (top && *top < nearest.end) {
+    if (top && *top < end) {
       const trajectory::Tip there = tip(blade, *top);
-      if (there.overlap < 0.0 && -there.overlap < nearest.distance) {
-        nearest.distance = -there.overlap;
-        nearest.pass = {nearest.distance, there.side, blade, *top};
-      }
+      if (there.overlap < 0.0 && -there.overlap < nearest.miss)
+        nearest = {-there.overlap, there.side, blade, *top};
     }
     gap_before = gap;
     rate_before = rate;
