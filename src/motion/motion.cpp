@@ -38,12 +38,11 @@ ending::StatusDetail Motion::start(const PointStart& start) {
   const std::span<const double> ring = start.memory.view();
   if (machine_.ring_moves() && !ring.empty()) state_.tail<4>() = rotor::State(ring.data());
   time_ = start.time;
-  undecided_ = true;
+  ended_by_ = start.blade >= 0 ? modes::Guard::touch_down : modes::Guard::horizon;
   phase_ = nullptr;
   // Who looks for an orbit may ask for a place that is none.
   if (!state_.allFinite()) return ending::StatusDetail::beyond_precision;
   if (!find_contacts({}, start.blade)) return ending::StatusDetail::no_equilibrium;
-  ended_by_ = start.blade >= 0 ? modes::Guard::touch_down : modes::Guard::horizon;
   if (!place_ring()) return ending::StatusDetail::ring_unbalanced;
   if (!flight_.resolves(machine_.constants.period())) return ending::StatusDetail::beyond_precision;
   modes::RestJudge* judge = modes_.rest_judge();
@@ -64,7 +63,7 @@ ending::StatusDetail Motion::take_over(PointMotion& before) {
 
 std::vector<modes::OpenContact> Motion::contacts_now() {
   std::vector<modes::OpenContact> contacts = contacts_;
-  if (undecided_) return contacts;
+  if (ended_by_) return contacts;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     contacts[i] = phase_->contact_at(i, time_);
     if (modes_.under_law_of_rest(contacts_)) modes_.leave_law_of_rest(contacts[i]);
@@ -77,7 +76,7 @@ ending::StatusDetail Motion::revolution(modes::MotionListener& listener, const m
   const double period = machine_.constants.period();
   meter_.begin_revolution(go_on);
   while (meter_.spend(modes::Work::events, modes::WorkPrice::kEvent)) {
-    if (undecided_) {
+    if (ended_by_) {
       if (const auto why = begin_mode(); why != ending::StatusDetail::none) return why;
     }
     const modes::ModeEnd end = phase_ == nullptr ? fly(period, listener) : touch(period, listener);
@@ -122,10 +121,10 @@ modes::ModeEnd Motion::fly(double period, modes::MotionListener& listener) {
   using modes::Guard;
   flight_.start(time_, state_);
   const auto touchdown = search_.find(period);
-  if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
   const double end = touchdown ? touchdown->time : period;
-  if (search_.shaft_at_ring(end)) return {Guard::left_validity, -1, ending::StatusDetail::shaft_at_ring};
+  const bool leaves = search_.shaft_at_ring(end);
   if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
+  if (leaves) return {Guard::left_validity, -1, ending::StatusDetail::shaft_at_ring};
   if (end > time_) {
     modes::FlightPiece piece(flight_, search_, end);
     listener.piece(piece);
@@ -171,10 +170,10 @@ ending::StatusDetail Motion::finish_revolution(double period) {
 
 /// From the contacts to the mode for them, or why none can begin.
 ending::StatusDetail Motion::begin_mode() {
-  undecided_ = false;
+  const bool touches_down = std::exchange(ended_by_, std::nullopt) == modes::Guard::touch_down;
   phase_ = nullptr;
   if (contacts_.empty()) return ending::StatusDetail::none;
-  if (!modes::any_rests(contacts_) && begins_to_skim()) contacts_.front().skims = true;
+  if (touches_down && !modes::any_rests(contacts_) && begins_to_skim()) contacts_.front().skims = true;
   phase_ = &modes_.phase_of(contacts_);
   return phase_->start(time_, state_, contacts_);
 }
@@ -182,7 +181,7 @@ ending::StatusDetail Motion::begin_mode() {
 /// Whether the blade that has just touched down begins to skim. If so, it is the first of the contacts.
 bool Motion::begins_to_skim() {
   const auto& judge = modes_.skimming_judge();
-  if (!judge || ended_by_ != modes::Guard::touch_down) return false;
+  if (!judge) return false;
   const auto change_places = [this] { std::swap(contacts_.front(), contacts_.back()); };
   change_places();
   const bool skims = judge->begins(unbent(), contacts_, kUnresolvedHop * limits_.tolerance);
@@ -200,7 +199,15 @@ bool Motion::find_contacts(const std::vector<modes::OpenContact>& held, int touc
     const modes::TipPlace at = place(k);
     const auto before = std::ranges::find(held, k, &modes::OpenContact::blade);
     const bool touches = k == touching || at.pose.gap > 0.0;
-    if (!(before != held.end() ? keep(*before, at) : !touches || open(k, at))) return false;
+    if (before != held.end()) {
+      modes::OpenContact contact = *before;
+      const modes::Standing standing = law().keep(at, contact);
+      if (standing == modes::Standing::lost) return false;
+      if (standing == modes::Standing::stands) contacts_.push_back(contact);
+      if (standing == modes::Standing::free) ++work_.liftoffs;
+    } else if (touches && !open(k, at)) {
+      return false;
+    }
   }
   return true;
 }
@@ -215,15 +222,6 @@ bool Motion::open(int blade, const modes::TipPlace& at) {
   contacts_.push_back(contact);
   reversals(blade) = {};
   return true;
-}
-
-/// Goes on with a contact at the tip's present place, or closes it where the tip has left the ring. False
-/// where no force exists (MODEL 5).
-bool Motion::keep(modes::OpenContact contact, const modes::TipPlace& at) {
-  const modes::Standing standing = law().keep(at, contact);
-  if (standing == modes::Standing::stands) contacts_.push_back(contact);
-  if (standing == modes::Standing::free) ++work_.liftoffs;
-  return standing != modes::Standing::lost;
 }
 
 bool Motion::place_ring() {
@@ -264,7 +262,6 @@ void Motion::tell(modes::MotionListener& listener, modes::Guard guard, int blade
 /// From the guard that has ended a mode to the contacts of the next mode.
 ending::StatusDetail Motion::reset(const modes::ModeEnd& end, modes::MotionListener& listener) {
   using modes::Guard;
-  undecided_ = true;
   ended_by_ = end.guard;
   for (modes::OpenContact& open : contacts_) open.skims = false;
   const auto contact = std::ranges::find(contacts_, end.blade, &modes::OpenContact::blade);

@@ -9,6 +9,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "modes/contact_modes.hpp"
@@ -59,7 +60,6 @@ class Motion final : public PointMotion {
   [[nodiscard]] modes::TipPlace place(int blade) const { return modes_.tip_place(blade, unbent()); }
   bool find_contacts(const std::vector<modes::OpenContact>& held, int touching);
   bool open(int blade, const modes::TipPlace& at);
-  bool keep(modes::OpenContact contact, const modes::TipPlace& at);
   bool place_ring();
   ending::StatusDetail settle_others(int blade, modes::MotionListener& listener);
   /// τ of the last slip reversal of a tip since it has touched down, and of the one before.
@@ -90,9 +90,9 @@ class Motion final : public PointMotion {
   rotor::ShaftAndRing state_ = rotor::ShaftAndRing::Zero();
   double time_ = 0.0;
   WorkCounts work_;
-  modes::Phase* phase_ = nullptr;                  ///< of the present mode in contact; null in flight
-  bool undecided_ = true;                          ///< the mode is to be chosen
-  modes::Guard ended_by_ = modes::Guard::horizon;  ///< what ended the last mode; horizon: there is none
+  modes::Phase* phase_ = nullptr;  ///< of the present mode in contact; null in flight
+  /// What ended the last mode, until the next begins; horizon: there was none.
+  std::optional<modes::Guard> ended_by_ = modes::Guard::horizon;
 };
 
 }  // namespace rubatlas::motion
