@@ -54,40 +54,6 @@ auto DirectedElastica::newton(const Pose& at, double slip, double angular_speed,
   return std::nullopt;
 }
 
-std::optional<double> DirectedElastica::amplitude_of(const Pose& at, double slip, double angular_speed,
-                                                     double modulus, double guess) const {
-  constexpr double kRounding = 1e-15;  // of d
-  constexpr double kSmallStep = 1e-8;  // of φ: the next one is a rounding error
-  // d falls from A − b of the unloaded blade (φ = 0), so that it has a root between the two ends or none.
-  const double side = std::copysign(1.0, modulus);
-  const double first = side * first_load_angle(at, slip, angular_speed);
-  const double angle = 2.0 * std::asin(side * modulus);
-  if (angle < first) return std::nullopt;
-  double low = 0.0;
-  double high = kLargestAmplitude;
-  if (first <= 0.0 &&
-      side * constraint(at, slip, angular_speed, {modulus, kLargestAmplitude}).misdirection >= 0.0)
-    return std::nullopt;
-  // A light load bends the blade by A − b ~ A φ².
-  double amplitude =
-      guess > low && guess < high ? guess : std::min(1.5, std::sqrt(3.0 * (angle - first) / angle));
-  for (int iteration = 0; iteration < 80; ++iteration) {
-    const Constraint there = constraint(at, slip, angular_speed, {modulus, amplitude});
-    const double value = side * there.misdirection;
-    (value > 0.0 ? low : high) = amplitude;
-    const double step = -there.misdirection / there.by_amplitude.misdirection;
-    const double next = amplitude + step;
-    if (std::abs(step) <= kSmallStep * amplitude || std::abs(value) <= kRounding) {
-      return next > 0.0 ? next : amplitude;
-    }
-    if (next > low && next < high)
-      amplitude = next;
-    else
-      amplitude = low > 0.0 ? 0.5 * (low + high) : 0.25 * high;
-  }
-  return std::nullopt;
-}
-
 /// Walks along the equilibria on one side under a given friction coefficient. The parameter of the walk is
 /// the angle A = 2 asin |κ| of the tip against its load. It starts at the unloaded blade (A = b, or 0 for a
 /// column), or at the fold where the equilibria against the side of the load begin.
@@ -171,21 +137,53 @@ class DirectedElastica::Walk {
   static constexpr double kRounding = 1e-12;  ///< of b: the least difference of A from b
   static constexpr double kLeast = 1e-18;     ///< [rad]: the least A of a column, straight to rounding
 
+  /// The smallest φ with d = 0 at a fixed κ, which has the smallest load.
+  std::optional<double> amplitude_of(double modulus, double guess) const {
+    constexpr double kRoundingOfDirection = 1e-15;  // of d
+    constexpr double kSmallStep = 1e-8;             // of φ: the next one is a rounding error
+    // d falls from A − b of the unloaded blade (φ = 0), so that it has a root between the two ends or none.
+    const double angle = 2.0 * std::asin(side_ * modulus);
+    if (angle < first_) return std::nullopt;
+    double low = 0.0;
+    double high = kLargestAmplitude;
+    if (first_ <= 0.0 && side_ * constraint({modulus, kLargestAmplitude}).misdirection >= 0.0)
+      return std::nullopt;
+    // A light load bends the blade by A − b ~ A φ².
+    double amplitude =
+        guess > low && guess < high ? guess : std::min(1.5, std::sqrt(3.0 * (angle - first_) / angle));
+    for (int iteration = 0; iteration < 80; ++iteration) {
+      const Constraint now = constraint({modulus, amplitude});
+      const double value = side_ * now.misdirection;
+      (value > 0.0 ? low : high) = amplitude;
+      const double step = -now.misdirection / now.by_amplitude.misdirection;
+      const double next = amplitude + step;
+      if (std::abs(step) <= kSmallStep * amplitude || std::abs(value) <= kRoundingOfDirection) {
+        return next > 0.0 ? next : amplitude;
+      }
+      if (next > low && next < high)
+        amplitude = next;
+      else
+        amplitude = low > 0.0 ? 0.5 * (low + high) : 0.25 * high;
+    }
+    return std::nullopt;
+  }
   std::optional<Bend> bend(double angle) {
     // A − b ~ A φ² at light loads.
     const double share = (angle - start_) / angle;
     const double guess = share_ > 0.0 ? amplitude_ * std::sqrt(share / share_) : 0.0;
     const double modulus = side_ * std::sin(0.5 * angle);
-    const auto amplitude = law_.amplitude_of(at_, slip_, angular_speed_, modulus, guess);
+    const auto amplitude = amplitude_of(modulus, guess);
     if (!amplitude) return std::nullopt;
     share_ = share;
     amplitude_ = *amplitude;
     return Bend{modulus, *amplitude};
   }
+  [[nodiscard]] Constraint constraint(const Bend& bend) const {
+    return law_.constraint(at_, slip_, angular_speed_, bend);
+  }
   std::optional<Constraint> state(double angle) {
-    const auto there = bend(angle);
-    if (!there) return std::nullopt;
-    return law_.constraint(at_, slip_, angular_speed_, *there);
+    const auto found = bend(angle);
+    return found ? std::optional(constraint(*found)) : std::nullopt;
   }
   void take(double angle, double residual) {
     (residual > 0.0 ? low_ : high_) = angle;
@@ -269,15 +267,8 @@ auto DirectedElastica::solve(const Pose& at, double slip, double angular_speed, 
 
 auto DirectedElastica::solve_near(const Pose& at, double slip, double angular_speed, const Bend& near) const
     -> std::optional<Bend> {
-  Bend start = near;
-  const double side = std::copysign(1.0, near.modulus);
-  if (!(near.amplitude > 0.0)) {
-    const auto amplitude = amplitude_of(at, slip, angular_speed, near.modulus, 0.0);
-    if (!amplitude) return solve(at, slip, angular_speed, side);
-    start.amplitude = *amplitude;
-  }
-  const auto root = newton(at, slip, angular_speed, start);
-  return root ? root : solve(at, slip, angular_speed, side);
+  const auto root = newton(at, slip, angular_speed, near);
+  return root ? root : solve(at, slip, angular_speed, std::copysign(1.0, near.modulus));
 }
 
 TipForce DirectedElastica::force_of(const Pose& at, double angular_speed, const Constraint& there) const {

@@ -156,7 +156,7 @@ class DirectedElastica : public ElasticBladeInRing {
 
   /// Force at an equilibrium found near `bend`, which is updated; false where there is none. κ = 0: a new
   /// contact. The blade stays on the side of κ where it has an equilibrium there, and else snaps to the other
-  /// side. φ = 0: not known. Beyond the end of the contact (g < 0), where Runge–Kutta stages may land, the
+  /// side. Beyond the end of the contact (g < 0), where Runge–Kutta stages may land, the
   /// force is continued as in `ElasticaContact`.
   bool respond(const Pose& at, double slip, double angular_speed, Bend& bend, TipForce& force) const;
 
@@ -204,9 +204,6 @@ class DirectedElastica : public ElasticBladeInRing {
   /// under each c.
   [[nodiscard]] std::optional<Bend> solve_for_coefficient(const Pose& at, double slip, double angular_speed,
                                                           double side) const;
-  /// The smallest φ with d = 0 at a fixed κ, which has the smallest load.
-  [[nodiscard]] std::optional<double> amplitude_of(const Pose& at, double slip, double angular_speed,
-                                                   double modulus, double guess) const;
 
   LoadDirection direction_;
   Friction friction_;
