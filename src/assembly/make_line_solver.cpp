@@ -12,16 +12,16 @@
 #include "motion/motion.hpp"
 #include "plan/scene_of_line.hpp"
 #include "point/solver_of_motions.hpp"
+#include "variation/parts_of_scene.hpp"
 
 namespace rubatlas::assembly {
 
 std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request, modes::MakePhases* make_phases) {
   return point::solver_of_motions(
       request.line,
-      [line = request.line, kind = request.combination.machine,
-       law = std::shared_ptr<const modes::Law>(law_of(request)), make_phases](
+      [line = request.line, law = std::shared_ptr<const modes::Law>(law_of(request)), make_phases](
           double speed_ratio, std::span<const double> lost) -> std::unique_ptr<motion::PointMotion> {
-        rotor::Machine machine = machine_of(line, kind, speed_ratio);
+        rotor::Machine machine = variation::machine_of(line, speed_ratio);
         // No step can be closer than positions are rounded: a clearance of nanometres asks for more.
         const double rounding = std::numeric_limits<double>::epsilon() * line.ring.radius;
         const double tolerance = std::max(line.accuracy.tolerance * machine.constants.length_scale, rounding);

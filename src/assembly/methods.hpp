@@ -7,7 +7,6 @@
 #include "modes/phase.hpp"
 #include "modes/rest_judge.hpp"
 #include "point/solver.hpp"
-#include "rotor/machine.hpp"
 #include "settings/combinations.hpp"
 #include "settings/scene.hpp"
 
@@ -24,10 +23,6 @@ struct LineRequest {
 
 /// The law of contact of a line.
 std::unique_ptr<collocation::Law> law_of(const LineRequest& request);
-
-/// What turns and pushes the shaft, and the ring: only what the scene has acts. `kind`: the closed form of
-/// the isotropic shaft at constant speed is kept where the line has both.
-rotor::Machine machine_of(const settings::Scene& line, settings::Machine kind, double speed_ratio);
 
 // Methods.
 

@@ -9,8 +9,8 @@
 
 #include "integrate/decompositions.hpp"
 #include "plan/scene_of_line.hpp"
-#include "point/solver_of_motions.hpp"
 #include "settings/quantity.hpp"
+#include "variation/parts_of_scene.hpp"
 
 namespace rubatlas::branch {
 
@@ -18,7 +18,7 @@ Shooting::Shooting(settings::Scene scene, std::vector<double> parameters, std::v
     : scene_(std::move(scene)),
       parameters_(std::move(parameters)),
       varied_(std::move(varied)),
-      length_(point::constants_of(scene_, 1.0).length_scale),
+      length_(variation::constants_of(scene_, 1.0).length_scale),
       tables_(assembly::make_blade_tables()) {}
 
 Unknowns Shooting::scaled(const motion::SectionState& section, const std::vector<double>& quantities) const {

@@ -12,6 +12,7 @@
 #include "point/settling.hpp"
 #include "point/solver_of_motions.hpp"
 #include "settings/linearisation.hpp"
+#include "variation/parts_of_scene.hpp"
 
 namespace rubatlas::point {
 
@@ -80,14 +81,6 @@ class Touches final : public modes::MotionListener {
 
 }  // namespace
 
-rotor::RotorConstants constants_of(const settings::Scene& line, double speed_ratio) {
-  const double clearance = line.clearance();
-  const double frequency = line.rotor.natural_frequency;
-  return {speed_ratio, line.rotor.damping_ratio, line.rotor.misalignment,
-          1.0 / (line.rotor.mass * frequency * frequency),
-          clearance > 0.0 ? clearance : 0.1 * line.blades.length};
-}
-
 std::unique_ptr<LineSolver> solver_of_motions(const settings::Scene& line, motion::MakeMotion make) {
   return std::make_unique<PointSolver>(line, std::move(make));
 }
@@ -152,8 +145,8 @@ ending::PointStatus PointSolver::listen(double speed_ratio, const motion::PointS
 
 Orbit PointSolver::orbit(double speed_ratio, const motion::PointStart& start) {
   AfterTransient begun = transient(speed_ratio, start, {});
-  OrbitListener listener(constants_of(scene_, speed_ratio).period(), scene_.protocol.samples_per_revolution,
-                         scene_.blades.count);
+  OrbitListener listener(variation::constants_of(scene_, speed_ratio).period(),
+                         scene_.protocol.samples_per_revolution, scene_.blades.count);
   const Ending ending = whole(begun, listener);
   Orbit orbit = listener.take();
   orbit.detail = ending.detail;
@@ -169,7 +162,7 @@ auto PointSolver::transient(double speed_ratio, const motion::PointStart& start,
   const int all = revolutions + scene_.protocol.sampled_revolutions;
   AfterTransient result{motion_of(speed_ratio, start), {}, 0, {}, {}};
   Touches touches;
-  const double scale = constants_of(scene_, 1.0).length_scale;
+  const double scale = variation::constants_of(scene_, 1.0).length_scale;
   // Runs from sections to where the motion would come, and finds there the contacts that it has met before.
   std::unique_ptr<motion::PointMotion> ahead;
   std::optional<Settling> settling;
@@ -283,7 +276,7 @@ variation::TangentFlow& PointSolver::tangents_at(double speed_ratio) {
   return *tangent_flow_;
 }
 trajectory::PointConstants PointSolver::point_of(double speed_ratio) const {
-  return {constants_of(scene_, speed_ratio).period(), speed_ratio, scene_.blades.count};
+  return {variation::constants_of(scene_, speed_ratio).period(), speed_ratio, scene_.blades.count};
 }
 ending::StatusDetail PointSolver::follow(motion::PointMotion& motion, ending::StatusDetail why,
                                          modes::MotionListener& listener, int revolutions) {

@@ -5,13 +5,9 @@
 
 #include "motion/point_motion.hpp"
 #include "point/solver.hpp"
-#include "rotor/constants.hpp"
 #include "settings/scene.hpp"
 
 namespace rubatlas::point {
-
-/// The constants of a line's point.
-rotor::RotorConstants constants_of(const settings::Scene& line, double speed_ratio);
 
 /// `line`: the scene with the line's values of all that is swept; `make` makes its motions.
 std::unique_ptr<LineSolver> solver_of_motions(const settings::Scene& line, motion::MakeMotion make);

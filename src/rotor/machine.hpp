@@ -11,6 +11,7 @@
 #include "rotor/constants.hpp"
 #include "rotor/harmonic.hpp"
 #include "rotor/ring_body.hpp"
+#include "rotor/support_matrices.hpp"
 
 namespace rubatlas::rotor {
 
@@ -37,6 +38,13 @@ struct Machine {
   [[nodiscard]] const Harmonics* harmonics() const { return std::get_if<Harmonics>(&shaft.shaft); }
   /// Null where the shaft is isotropic.
   [[nodiscard]] const SupportedShaft* supported() const { return std::get_if<SupportedShaft>(&shaft.shaft); }
+
+  /// K and C of the shaft.
+  [[nodiscard]] SupportMatrices support() const {
+    if (const SupportedShaft* other = supported())
+      return {other->support.stiffness(), other->support.damping()};
+    return isotropic_shaft(constants.damping_ratio);
+  }
 
   /// Accelerations in a state of contact where blades push the shaft by `force` [N], and the ring by as much
   /// the other way. A ring without mass has none: its velocity follows from the shaft's.

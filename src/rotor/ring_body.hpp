@@ -28,8 +28,6 @@ class RingBody : public FreeMotion {
 
   /// 1/(m_r ωn²) [m/N]: acceleration per unit τ² of one newton.
   [[nodiscard]] double force_unit() const { return force_unit_; }
-  /// d/dτ of the logarithm of the ring's phase volume, −4 ζ_ring ν.
-  [[nodiscard]] double phase_volume_rate() const { return -4.0 * damping_ratio() * frequency(); }
 
   /// Free motion a time `elapsed` >= 0 (τ) after `start`.
   [[nodiscard]] State free(const State& start, double elapsed) const {

@@ -79,8 +79,7 @@ struct ContactStiffness::Tip {
   }
 };
 
-ContactStiffness::ContactStiffness(const settings::Scene& line)
-    : friction_(friction_of(line)), angles_(angles_of(line)), blades_(angles_, 0.0) {
+ContactStiffness::ContactStiffness(const settings::Scene& line) : friction_(friction_of(line)) {
   for (const settings::Blades& blade : each_blade(line)) {
     const contact::Geometry geometry = geometry_of(line.ring, blade);
     if (line.contact.law == settings::ContactLaw::elastic_ring) {
@@ -94,9 +93,9 @@ ContactStiffness::ContactStiffness(const settings::Scene& line)
   }
 }
 
-void ContactStiffness::begin(const rotor::RotorConstants& rotor) {
-  rotor_ = rotor;
-  blades_ = rotor::BladeSet(angles_, rotor.speed_ratio);
+void ContactStiffness::begin(const rotor::Machine& machine) {
+  rotor_ = machine.constants;
+  blades_ = machine.blades;
 }
 
 std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contact, double time,

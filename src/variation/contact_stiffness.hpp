@@ -24,6 +24,7 @@
 #include "contact/elastica_contact.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
+#include "rotor/machine.hpp"
 #include "settings/scene.hpp"
 #include "trajectory/motion_piece.hpp"
 
@@ -45,7 +46,7 @@ class ContactStiffness {
   explicit ContactStiffness(const settings::Scene& line);
 
   /// A speed ratio Ω of the line.
-  void begin(const rotor::RotorConstants& rotor);
+  void begin(const rotor::Machine& machine);
 
   /// Slopes of the force, times τ_θ, summed over the contacts of a place on the path. `acceleration` of the
   /// shaft there [m per unit τ²] is read only where `needs_acceleration`. Nothing where a blade has no force.
@@ -88,9 +89,8 @@ class ContactStiffness {
 
   contact::Friction friction_;
   std::vector<Law> laws_;
-  std::vector<double> angles_;  ///< of the blades [rad]
   rotor::RotorConstants rotor_{};
-  rotor::BladeSet blades_;
+  rotor::BladeSet blades_{0, 0.0};
 };
 
 }  // namespace rubatlas::variation

@@ -1,4 +1,4 @@
-/// The parts of a scene: its blades, their friction, and the support of its shaft.
+/// The parts of a scene: its blades, their friction, and the machine that they turn in.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,8 @@
 #include "contact/elastica_contact.hpp"
 #include "contact/friction_law.hpp"
 #include "rotor/blade_set.hpp"
-#include "rotor/support_matrices.hpp"
+#include "rotor/constants.hpp"
+#include "rotor/machine.hpp"
 #include "settings/effects/list.hpp"
 #include "settings/scene.hpp"
 
@@ -64,18 +65,16 @@ inline contact::Friction friction_of(const settings::Scene& line) {
   return contact::Friction::coulomb(friction);
 }
 
-/// K and C of z'' + C z' + K z = f at a speed ratio Ω (`settings/effects/support.hpp`).
-inline rotor::SupportMatrices support_of(const settings::Scene& line, double speed_ratio) {
-  const effects::Support added = line.support.value_or(effects::Support{});
-  const double damping = line.rotor.mass * line.rotor.natural_frequency;
-  const double stiffness = damping * line.rotor.natural_frequency;
-  rotor::SupportMatrices matrices = rotor::isotropic_shaft(line.rotor.damping_ratio);
-  Eigen::Matrix2d more;
-  more << added.stiffness_xx, added.stiffness_xy, added.stiffness_yx, added.stiffness_yy;
-  matrices.stiffness += more / stiffness;
-  more << added.damping_xx, added.damping_xy, added.damping_yx, added.damping_yy;
-  matrices.damping += more / damping;
-  return rotor::with_rotating_damping(matrices, 0.5 * added.rotating_damping / damping, speed_ratio);
+/// The constants of a line's point.
+inline rotor::RotorConstants constants_of(const settings::Scene& line, double speed_ratio) {
+  const double clearance = line.clearance();
+  const double frequency = line.rotor.natural_frequency;
+  return {speed_ratio, line.rotor.damping_ratio, line.rotor.misalignment,
+          1.0 / (line.rotor.mass * frequency * frequency),
+          clearance > 0.0 ? clearance : 0.1 * line.blades.length};
 }
+
+/// What turns and pushes the shaft, and the ring: only what the scene has acts.
+rotor::Machine machine_of(const settings::Scene& line, double speed_ratio);
 
 }  // namespace rubatlas::variation

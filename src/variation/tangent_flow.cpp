@@ -5,11 +5,9 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <complex>
-#include <span>
 #include <utility>
 
 #include "integrate/decompositions.hpp"
-#include "settings/effects/list.hpp"
 #include "variation/parts_of_scene.hpp"
 
 namespace rubatlas::variation {
@@ -57,77 +55,38 @@ trajectory::State seen(const trajectory::PathPoint& at) {
   return result;
 }
 
-/// A matrix of the shaft, and behind it where there is a ring that is a body a number times the unit matrix.
-template <int kCoordinates>
-Eigen::Matrix<double, kCoordinates, kCoordinates> of_bodies(const Eigen::Matrix2d& of_shaft, double of_ring) {
-  Eigen::Matrix<double, kCoordinates, kCoordinates> result =
-      of_ring * Eigen::Matrix<double, kCoordinates, kCoordinates>::Identity();
-  result.template topLeftCorner<2, 2>() = of_shaft;
-  return result;
-}
-
-/// Rates at which free motion with these coefficients decays: real parts of the roots of s² + c s + k.
-std::array<double, 2> decays(double damping, double stiffness) {
-  const double half = 0.5 * damping;
-  const double spread = std::sqrt(std::max(0.0, half * half - stiffness));
-  return {half - spread, half + spread};
-}
-
 }  // namespace
 
-TangentFlow::TangentFlow(const settings::Scene& line)
-    : line_(line),
-      force_unit_(1.0 / (line.rotor.mass * line.rotor.natural_frequency * line.rotor.natural_frequency)),
-      free_(line.rotor.damping_ratio),
-      contact_(line) {
-  const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
-  by_force_ = force_unit_ * one;
-  seen_ = one;
-  if (effects::acts<&effects::Effects::ring_body>(line)) {
-    ring_.emplace(line.ring_body->mass, 1.0 / line.ring_body->compliance, line.ring_body->damping,
-                  line.rotor.natural_frequency);
-    by_force_ = (Eigen::Matrix<double, 4, 2>() << by_force_, -ring_->force_unit() * one).finished();
-    seen_ = (Eigen::Matrix<double, 2, 4>() << one, -one).finished();
-  }
-}
-
-Eigen::Vector2d TangentFlow::forcing(double time) const {
-  using effects::Effects;
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  const auto add_static = [&](const auto& load) {
-    const std::complex<double> deflection =
-        load->deflection(1.0 / force_unit_, line_.rotor.natural_frequency);
-    sum += Eigen::Vector2d(deflection.real(), deflection.imag());
-  };
-  if (effects::acts<&Effects::gravity>(line_)) add_static(line_.gravity);
-  if (effects::acts<&Effects::side_load>(line_)) add_static(line_.side_load);
-  if (effects::acts<&Effects::unbalance>(line_)) {
-    const double angle = speed_ratio_ * time + line_.unbalance->phase;
-    const double amplitude = line_.unbalance->moment / line_.rotor.mass * speed_ratio_ * speed_ratio_;
-    sum += amplitude * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-  }
-  return sum;
-}
+TangentFlow::TangentFlow(const settings::Scene& line) : line_(line), contact_(line) {}
 
 void TangentFlow::begin(double speed_ratio) {
-  contact_.begin({speed_ratio, free_.damping_ratio(), line_.rotor.misalignment, force_unit_, 1.0});
-  speed_ratio_ = speed_ratio;
-  shaft_ = rotor::isotropic_shaft(free_.damping_ratio());
-  if (effects::acts<&effects::Effects::support>(line_)) {
-    shaft_ = support_of(line_, speed_ratio);
-    support_.emplace(shaft_.stiffness, shaft_.damping, std::span<const rotor::HarmonicForcing>());
+  if (!machine_ || machine_->constants.speed_ratio != speed_ratio) machine_ = machine_of(line_, speed_ratio);
+  contact_.begin(*machine_);
+  const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
+  const rotor::RingBody* ring = machine_->ring_body();
+  const Eigen::Index coordinates = ring != nullptr ? 4 : 2;
+  stiffness_ = damping_ = OfBodies::Zero(coordinates, coordinates);
+  by_force_ = OfBodies::Zero(coordinates, 2);
+  seen_ = OfBodies::Zero(2, coordinates);
+  const rotor::SupportMatrices shaft = machine_->support();
+  stiffness_.topLeftCorner<2, 2>() = shaft.stiffness;
+  damping_.topLeftCorner<2, 2>() = shaft.damping;
+  by_force_.topRows<2>() = machine_->constants.force_unit * one;
+  seen_.leftCols<2>() = one;
+  if (ring != nullptr) {
+    const double frequency = ring->frequency();
+    stiffness_.bottomRightCorner<2, 2>() = frequency * frequency * one;
+    damping_.bottomRightCorner<2, 2>() = 2.0 * ring->damping_ratio() * frequency * one;
+    by_force_.bottomRows<2>() = -ring->force_unit() * one;
+    seen_.rightCols<2>() = -one;
   }
-  const Eigen::Index size = ring_ ? 8 : 4;
-  tangents_ = Tangents::Identity(size, size);
+  tangents_ = Tangents::Identity(2 * coordinates, 2 * coordinates);
+  longest_flight_.reset();
   events_.clear();
   force_.setZero();
   point_.contacts.clear();
   known_ = true;
   log_volume_ = 0.0;
-}
-
-double TangentFlow::phase_volume_rate() const {
-  return (ring_ ? ring_->phase_volume_rate() : 0.0) - shaft_.damping.trace();
 }
 
 void TangentFlow::piece(trajectory::MotionPiece& piece, const std::function<void()>& between) {
@@ -136,17 +95,17 @@ void TangentFlow::piece(trajectory::MotionPiece& piece, const std::function<void
   if (piece.contact_count() == 0) {
     constexpr double kMostParts = 1e5;  // some 0.1 s
     double left = piece.end() - piece.begin();
-    const double longest = longest_flight();
-    if (between && left > kMostParts * longest) return loses_track();
-    for (; between && left > longest; left -= longest) {
-      tangents_ = after_flight(longest);
+    if (between && !longest_flight_) longest_flight_ = longest_flight();
+    if (between && left > kMostParts * *longest_flight_) return loses_track();
+    for (; between && left > *longest_flight_; left -= *longest_flight_) {
+      tangents_ = after_flight(*longest_flight_);
       between();
     }
     tangents_ = after_flight(left);
     point_.contacts.clear();
     force_.setZero();
   } else {
-    ring_ ? follow<4>(piece) : follow<2>(piece);
+    machine_->ring_body() != nullptr ? follow<4>(piece) : follow<2>(piece);
   }
 }
 
@@ -162,74 +121,56 @@ Eigen::Vector2d TangentFlow::force_in(trajectory::MotionPiece& piece, double tim
 double TangentFlow::longest_flight() const {
   // Parts of free motion decay as e^{-rate τ}, or grow.
   constexpr double kMostDecay = 20.0;  // leaves half of the digits of a double
-  double slowest = 0.0;
-  double fastest = 0.0;
-  const auto take = [&](double rate) {
-    slowest = std::min(slowest, rate);
-    fastest = std::max(fastest, rate);
-  };
-  if (support_) {
-    for (const std::complex<double>& root : integrate::eigen_modes(support_->system_matrix()).values)
-      take(-root.real());
-  } else {
-    for (const double rate : decays(2.0 * free_.damping_ratio(), 1.0)) take(rate);
-  }
-  if (ring_) {
-    const double frequency = ring_->frequency();
-    for (const double rate : decays(2.0 * ring_->damping_ratio() * frequency, frequency * frequency))
-      take(rate);
-  }
-  return kMostDecay / (fastest - slowest);
+  Tangents system = Tangents::Zero(tangents_.rows(), tangents_.rows());
+  const Eigen::Index coordinates = stiffness_.rows();
+  system.topRightCorner(coordinates, coordinates).setIdentity();
+  system.bottomLeftCorner(coordinates, coordinates) = -stiffness_;
+  system.bottomRightCorner(coordinates, coordinates) = -damping_;
+  const Eigen::VectorXd growths = integrate::eigen_modes(system).values.real();
+  return kMostDecay / (std::max(growths.maxCoeff(), 0.0) - std::min(growths.minCoeff(), 0.0));
 }
 
 Tangents TangentFlow::after_flight(double duration) const {
   Tangents tangents = tangents_;
   const Eigen::Index velocities = tangents.rows() / 2;
-  const auto move_body = [&](Eigen::Index first, const auto& moved) {
-    for (auto tangent : tangents.colwise()) {
-      Eigen::Vector4d body;
-      body << tangent.segment<2>(first), tangent.segment<2>(velocities + first);
-      body = moved(body);
-      tangent.segment<2>(first) = body.head<2>();
-      tangent.segment<2>(velocities + first) = body.tail<2>();
-    }
+  const auto swing = [&](const rotor::FreeMotion& free, Eigen::Index first) {
+    const double frequency = free.frequency();
+    const auto [cosine, sine] = free.kernel(frequency * duration);
+    const double damping = free.damping_ratio();
+    const auto place = tangents.middleRows<2>(first).eval();
+    const auto velocity = (tangents.middleRows<2>(velocities + first) / frequency).eval();
+    tangents.middleRows<2>(first) = cosine * place + sine * (velocity + damping * place);
+    tangents.middleRows<2>(velocities + first) =
+        frequency * (cosine * velocity - sine * (place + damping * velocity));
   };
-  if (support_) {
-    move_body(0, [&](const Eigen::Vector4d& shaft) { return support_->state(0.0, shaft, duration); });
+  if (const rotor::SupportedShaft* supported = machine_->supported()) {
+    for (auto tangent : tangents.colwise()) {
+      Eigen::Vector4d shaft;
+      shaft << tangent.head<2>(), tangent.segment<2>(velocities);
+      shaft = supported->support.free(shaft, duration);
+      tangent.head<2>() = shaft.head<2>();
+      tangent.segment<2>(velocities) = shaft.tail<2>();
+    }
   } else {
-    const auto [cosine, sine] = free_.kernel(duration);
-    const double damping = free_.damping_ratio();
-    const auto place = tangents.topRows<2>().eval();
-    const auto velocity = tangents.middleRows<2>(velocities).eval();
-    tangents.topRows<2>() = cosine * place + sine * (velocity + damping * place);
-    tangents.middleRows<2>(velocities) = cosine * velocity - sine * (place + damping * velocity);
+    swing(rotor::FreeMotion(machine_->constants.damping_ratio), 0);
   }
-  if (ring_)
-    move_body(2, [&](const Eigen::Vector4d& ring) { return ring_->free(ring, duration).matrix().eval(); });
+  if (const rotor::RingBody* ring = machine_->ring_body()) swing(*ring, 2);
   return tangents;
 }
 
 Eigen::Vector2d TangentFlow::seen_acceleration(const trajectory::PathPoint& at,
                                                const Eigen::Vector2d& force) const {
-  const Eigen::Vector2d place(at.state[0], at.state[1]);
-  const Eigen::Vector2d velocity(at.state[2], at.state[3]);
-  Eigen::Vector2d result =
-      force_unit_ * force + forcing(at.time) - shaft_.damping * velocity - shaft_.stiffness * place;
-  if (ring_) {
-    const rotor::RingBody::State ring(at.ring.data());
-    const std::complex<double> moves = ring_->acceleration(ring, {-force[0], -force[1]});
-    result -= Eigen::Vector2d(moves.real(), moves.imag());
-  }
-  return result;
+  rotor::ContactState state;
+  state << rotor::as_state(at.state), at.time, 0.0, rotor::as_state(at.ring);
+  const auto [shaft, ring] = machine_->acceleration(state, {force[0], force[1]});
+  return {shaft.real() - ring.real(), shaft.imag() - ring.imag()};
 }
 
 std::array<double, 4> TangentFlow::rate(double time, const trajectory::State& state,
                                         const Eigen::Vector2d& force) const {
-  trajectory::PathPoint at;
-  at.time = time;
-  at.state = state;
-  const Eigen::Vector2d acceleration = seen_acceleration(at, force);
-  return {state[2], state[3], acceleration[0], acceleration[1]};
+  const std::complex<double> acceleration =
+      machine_->shaft.acceleration(machine_->constants, time, rotor::as_state(state), {force[0], force[1]});
+  return {state[2], state[3], acceleration.real(), acceleration.imag()};
 }
 
 template <int kCoordinates>
@@ -242,6 +183,7 @@ void TangentFlow::follow(trajectory::MotionPiece& piece) {
   std::array<Stage, kStages> stages;
   std::vector<trajectory::ContactForce> forces;
   PathScale scale{0.0, 0.0};
+  Eigen::Matrix<double, kStages, 1> time_rate;
   for (int i = 0; i < kStages; ++i) {
     auto& [point, acceleration] = stages[static_cast<std::size_t>(i)];
     piece.path(method.node[i], point, contact_.needs_acceleration() ? &forces : nullptr);
@@ -250,56 +192,43 @@ void TangentFlow::follow(trajectory::MotionPiece& piece) {
     for (const trajectory::ContactForce& force : forces) sum += force.on_rotor;
     if (contact_.needs_acceleration()) acceleration = seen_acceleration(point, {sum.real(), sum.imag()});
     point.state = seen(point);
-    scale.time_rate = std::max(scale.time_rate, std::abs(point.time_rate));
+    time_rate[i] = point.time_rate;
     for (const auto& contact : point.contacts) {
       for (const double rate : {contact.bending_rate, contact.modulus_rate, contact.amplitude_rate})
         scale.bending_rate = std::max(scale.bending_rate, std::abs(rate));
     }
   }
+  scale.time_rate = time_rate.cwiseAbs().maxCoeff();
   if (scale.bending_rate == 0.0) scale.bending_rate = 1.0;
 
   // Velocities W and places Q at the stages follow from the accelerations there, so that these alone are
   // unknown: W = w0 + A a, Q = q0 + A τ_θ W, A the integrals.
   using Stages = Eigen::Matrix<double, kStages, kStages>;
-  Eigen::Matrix<double, kStages, 1> time_rate;
-  for (int i = 0; i < kStages; ++i) time_rate[i] = stages[static_cast<std::size_t>(i)].point.time_rate;
   const Stages of_place = method.integral * time_rate.asDiagonal();
   const Stages of_acceleration = of_place * method.integral;
   const Eigen::Matrix<double, kStages, 1> elapsed = of_place.rowwise().sum();
   constexpr Eigen::Index kColumns = Eigen::Index{2} * kCoordinates;
+  constexpr Eigen::Index kUnknowns = Eigen::Index{kStages} * kCoordinates;
   using Rows = Eigen::Matrix<double, kCoordinates, kColumns>;
-  using Matrix = Eigen::Matrix<double, kCoordinates, kCoordinates>;
-  const Rows place = tangents_.template topRows<kCoordinates>();
-  const Rows velocity = tangents_.template bottomRows<kCoordinates>();
-  const double frequency = ring_ ? ring_->frequency() : 0.0;
-  const double decay = ring_ ? 2.0 * ring_->damping_ratio() * frequency : 0.0;
-  const Matrix restoring = of_bodies<kCoordinates>(shaft_.stiffness, frequency * frequency);
-  const Matrix damping = of_bodies<kCoordinates>(shaft_.damping, decay);
+  using Square = Eigen::Matrix<double, kCoordinates, kCoordinates>;
+  const Rows place = tangents_.topRows<kCoordinates>();
+  const Rows velocity = tangents_.bottomRows<kCoordinates>();
+  const Square restoring = stiffness_;
+  const Square damping = damping_;
+  const Eigen::Matrix<double, kCoordinates, 2> by_force = by_force_;
+  const Eigen::Matrix<double, 2, kCoordinates> seen_from_ring = seen_;
 
-  constexpr Eigen::Index kUnknowns = Eigen::Index{kCoordinates} * kStages;
   Eigen::Matrix<double, kUnknowns, kUnknowns> matrix =
       Eigen::Matrix<double, kUnknowns, kUnknowns>::Identity();
   Eigen::Matrix<double, kUnknowns, kColumns> right;
   for (Eigen::Index i = 0; i < kStages; ++i) {
     const auto& [point, shaft_acceleration] = stages[static_cast<std::size_t>(i)];
     const std::optional<ForceSlopes> of_force = contact_.along_path(point, scale, shaft_acceleration);
-    if (!of_force) return loses_track();
-    const Eigen::Matrix2d by_place = of_force->leftCols<2>();
-    const Eigen::Matrix2d by_velocity = of_force->rightCols<2>();
-    if (!by_place.allFinite() || !by_velocity.allFinite()) return loses_track();
-    Matrix stiffness = -time_rate[i] * restoring;
-    Matrix resistance = time_rate[i] * damping;
-    const auto add = [&](Matrix& to, const Eigen::Matrix2d& slope) {
-      to.template topLeftCorner<2, 2>() += force_unit_ * slope;
-      if constexpr (kCoordinates > 2) {
-        to.template topRightCorner<2, 2>() -= force_unit_ * slope;
-        to.template bottomLeftCorner<2, 2>() -= ring_->force_unit() * slope;
-        to.template bottomRightCorner<2, 2>() += ring_->force_unit() * slope;
-      }
-    };
-    add(stiffness, by_place);
-    add(resistance, -by_velocity);
-    log_volume_ += method.weight[i] * (time_rate[i] * damping - resistance).trace();
+    if (!of_force || !of_force->allFinite()) return loses_track();
+    const Square by_velocity = by_force * of_force->rightCols<2>() * seen_from_ring;
+    const Square stiffness = by_force * of_force->leftCols<2>() * seen_from_ring - time_rate[i] * restoring;
+    const Square resistance = time_rate[i] * damping - by_velocity;
+    log_volume_ += method.weight[i] * by_velocity.trace();
     for (Eigen::Index j = 0; j < kStages; ++j) {
       matrix.template block<kCoordinates, kCoordinates>(kCoordinates * i, kCoordinates * j) -=
           of_acceleration(i, j) * stiffness - method.integral(i, j) * resistance;
@@ -308,13 +237,14 @@ void TangentFlow::follow(trajectory::MotionPiece& piece) {
         stiffness * (place + elapsed[i] * velocity) - resistance * velocity;
   }
   const Eigen::Matrix<double, kUnknowns, kColumns> acceleration = integrate::solve(matrix, right);
+  const auto at_stage = [&](Eigen::Index i) {
+    return acceleration.template middleRows<kCoordinates>(kCoordinates * i);
+  };
   for (Eigen::Index i = 0; i < kStages; ++i) {
     Rows there = velocity;
-    for (Eigen::Index j = 0; j < kStages; ++j)
-      there += method.integral(i, j) * acceleration.template middleRows<kCoordinates>(kCoordinates * j);
-    tangents_.template topRows<kCoordinates>() += (method.weight[i] * time_rate[i]) * there;
-    tangents_.template bottomRows<kCoordinates>() +=
-        method.weight[i] * acceleration.template middleRows<kCoordinates>(kCoordinates * i);
+    for (Eigen::Index j = 0; j < kStages; ++j) there += method.integral(i, j) * at_stage(j);
+    tangents_.topRows<kCoordinates>() += (method.weight[i] * time_rate[i]) * there;
+    tangents_.bottomRows<kCoordinates>() += method.weight[i] * at_stage(i);
   }
 
   force_ = force_in(piece, piece.end());

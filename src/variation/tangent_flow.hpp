@@ -15,10 +15,7 @@
 #include <optional>
 #include <vector>
 
-#include "rotor/free_motion.hpp"
-#include "rotor/linear_support.hpp"
-#include "rotor/ring_body.hpp"
-#include "rotor/support_matrices.hpp"
+#include "rotor/machine.hpp"
 #include "settings/scene.hpp"
 #include "trajectory/motion_piece.hpp"
 #include "variation/contact_stiffness.hpp"
@@ -50,7 +47,7 @@ class TangentFlow {
   /// the saltations, and the integral of tr BDG where friction depends on the slip velocity.
   [[nodiscard]] double log_volume() const { return log_volume_; }
   /// d/dτ of the logarithm of phase volume between events: −4ζ of the plain shaft, −tr C of any.
-  [[nodiscard]] double phase_volume_rate() const;
+  [[nodiscard]] double phase_volume_rate() const { return -damping_.trace(); }
 
   /// The tangents after a flight of this duration from here, which may be negative.
   [[nodiscard]] Tangents after_flight(double duration) const;
@@ -74,19 +71,17 @@ class TangentFlow {
   /// z'' less r'' of the bodies under the force on the rotor [m per unit τ²].
   [[nodiscard]] Eigen::Vector2d seen_acceleration(const trajectory::PathPoint& at,
                                                   const Eigen::Vector2d& force) const;
-  /// Acceleration of the shaft by all that does not depend on its place [m per unit τ²].
-  [[nodiscard]] Eigen::Vector2d forcing(double time) const;
+
+  using OfBodies = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostCoordinates,
+                                 kMostCoordinates>;
 
   settings::Scene line_;
-  double force_unit_;         ///< 1/(m ωn²) [m/N]
-  double speed_ratio_ = 0.0;  ///< Ω [-]
-  rotor::FreeMotion free_;
-  std::optional<rotor::LinearSupport> support_;  ///< at Ω, where it is not that of an isotropic shaft
-  std::optional<rotor::RingBody> ring_;
-  rotor::SupportMatrices shaft_;  ///< of the shaft, at Ω
-  Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::ColMajor, kMostCoordinates, 2> by_force_;  ///< B [m/N]
-  Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, kMostCoordinates> seen_;      ///< G
   ContactStiffness contact_;
+  std::optional<rotor::Machine> machine_;  ///< at Ω
+  std::optional<double> longest_flight_;   ///< once it is asked for [τ]
+  OfBodies stiffness_, damping_;           ///< S, C
+  OfBodies by_force_;                      ///< B [m/N]
+  OfBodies seen_;                          ///< G
   Tangents tangents_;
   std::vector<Event> events_;                        ///< since the last piece
   Eigen::Vector2d force_ = Eigen::Vector2d::Zero();  ///< at the end of the last piece [N]

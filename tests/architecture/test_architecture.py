@@ -31,7 +31,7 @@ MAY_INCLUDE = {
     "src/assembly": ["settings", "plan", "blade", "contact", "rotor", "integrate", *LAWS, "variation", "modes",
                      "motion", "point"],
     "src/compared": ["settings", "contact", "rotor", "integrate", *LAWS, "trajectory", "modes", "motion", "ending",
-                     "point", "assembly"],
+                     "point", "variation/parts_of_scene.hpp", "assembly"],
     "src/branch": ["settings", "plan", "integrate", "contact/pose.hpp", "rotor", "variation/parts_of_scene.hpp",
                    "observables/grazing.hpp", "point", "assembly"],
     "src/atlas": ["settings", "plan", "observables", "point/line_solver.hpp", "ending", "branch/branch.hpp"],

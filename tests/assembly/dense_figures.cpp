@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "point/solver_of_motions.hpp"
+#include "variation/parts_of_scene.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -270,7 +270,7 @@ double DenseFigures::closeness_of_tips() const {
   constexpr double kRounding = 1e-13;
   constexpr double kTolerances = 100.0;  // as observables may err by
   return kRounding * scene_.ring.radius * (1.0 + period_) +
-         kTolerances * scene_.accuracy.tolerance * point::constants_of(scene_, speed_ratio_).length_scale;
+         kTolerances * scene_.accuracy.tolerance * variation::constants_of(scene_, speed_ratio_).length_scale;
 }
 
 bool DenseFigures::only_brushes() const {
@@ -279,7 +279,7 @@ bool DenseFigures::only_brushes() const {
 
 bool DenseFigures::hardly_moves() const {
   return fastest_ <
-         100.0 * scene_.accuracy.tolerance * point::constants_of(scene_, speed_ratio_).length_scale;
+         100.0 * scene_.accuracy.tolerance * variation::constants_of(scene_, speed_ratio_).length_scale;
 }
 
 DenseFigures::Figure DenseFigures::of_blades(double Blade::*value, double unit) const {

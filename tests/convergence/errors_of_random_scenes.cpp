@@ -15,8 +15,8 @@
 
 #include "../assembly/random_scene.hpp"
 #include "../support/point.hpp"
-#include "point/solver_of_motions.hpp"
 #include "settings/combinations.hpp"
+#include "variation/parts_of_scene.hpp"
 
 namespace rubatlas::test {
 namespace {
@@ -71,7 +71,7 @@ class ErrorsOfRandomScenes : public ::testing::TestWithParam<ScenesWithEffects> 
     if (!compares) return;
     const double doubt =
         largest_difference(end_of(scene, 10.0 * kReference, start).final_state, reference.final_state);
-    const double scale = point::constants_of(scene, scene.grid.speed_ratio.front()).length_scale;
+    const double scale = variation::constants_of(scene, scene.grid.speed_ratio.front()).length_scale;
     for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
       const point::PointOutcome motion = end_of(scene, tolerance, start);
       ++compared_;

@@ -1,15 +1,14 @@
-#include "assembly/methods.hpp"
+#include "variation/parts_of_scene.hpp"
 
 #include <cmath>
 #include <complex>
 #include <vector>
 
-#include "point/solver_of_motions.hpp"
 #include "rotor/rippled_unbalance.hpp"
+#include "rotor/support_matrices.hpp"
 #include "settings/effects/list.hpp"
-#include "variation/parts_of_scene.hpp"
 
-namespace rubatlas::assembly {
+namespace rubatlas::variation {
 
 namespace {
 
@@ -39,10 +38,26 @@ std::vector<rotor::Harmonic> harmonics_of(const settings::Scene& line, double sp
   return terms;
 }
 
-rotor::AnyShaft shaft_of(const settings::Scene& line, settings::Machine kind, double speed_ratio) {
+/// K and C of z'' + C z' + K z = f at a speed ratio Ω (`settings/effects/support.hpp`).
+rotor::SupportMatrices support_of(const settings::Scene& line, double speed_ratio) {
+  const effects::Support added = line.support.value_or(effects::Support{});
+  const double damping = line.rotor.mass * line.rotor.natural_frequency;
+  const double stiffness = damping * line.rotor.natural_frequency;
+  rotor::SupportMatrices matrices = rotor::isotropic_shaft(line.rotor.damping_ratio);
+  Eigen::Matrix2d more;
+  more << added.stiffness_xx, added.stiffness_xy, added.stiffness_yx, added.stiffness_yy;
+  matrices.stiffness += more / stiffness;
+  more << added.damping_xx, added.damping_xy, added.damping_yx, added.damping_yy;
+  matrices.damping += more / damping;
+  return rotor::with_rotating_damping(matrices, 0.5 * added.rotating_damping / damping, speed_ratio);
+}
+
+rotor::AnyShaft shaft_of(const settings::Scene& line, double speed_ratio) {
   const std::vector<rotor::Harmonic> harmonics = harmonics_of(line, speed_ratio);
-  if (kind == settings::Machine::isotropic_shaft) return {rotor::Harmonics(harmonics)};
-  const rotor::SupportMatrices matrices = variation::support_of(line, speed_ratio);
+  // The closed form of the isotropic shaft at constant speed is kept where a line has both.
+  if (!effects::acts<&Effects::support>(line) && !effects::acts<&Effects::speed_ripple>(line))
+    return {rotor::Harmonics(harmonics)};
+  const rotor::SupportMatrices matrices = support_of(line, speed_ratio);
   std::vector<rotor::HarmonicForcing> forcing;
   forcing.reserve(harmonics.size());
   for (const rotor::Harmonic& term : harmonics) forcing.push_back({term.acceleration(0.0), term.frequency()});
@@ -50,7 +65,7 @@ rotor::AnyShaft shaft_of(const settings::Scene& line, settings::Machine kind, do
 }
 
 rotor::BladeSet blades_of(const settings::Scene& line, double speed_ratio) {
-  return {variation::angles_of(line), speed_ratio, line.speed_ripple.value_or(effects::SpeedRipple{})};
+  return {angles_of(line), speed_ratio, line.speed_ripple.value_or(effects::SpeedRipple{})};
 }
 
 rotor::Ring ring_of(const settings::Scene& line) {
@@ -63,9 +78,9 @@ rotor::Ring ring_of(const settings::Scene& line) {
 
 }  // namespace
 
-rotor::Machine machine_of(const settings::Scene& line, settings::Machine kind, double speed_ratio) {
-  return {point::constants_of(line, speed_ratio), blades_of(line, speed_ratio),
-          shaft_of(line, kind, speed_ratio), ring_of(line)};
+rotor::Machine machine_of(const settings::Scene& line, double speed_ratio) {
+  return {constants_of(line, speed_ratio), blades_of(line, speed_ratio), shaft_of(line, speed_ratio),
+          ring_of(line)};
 }
 
-}  // namespace rubatlas::assembly
+}  // namespace rubatlas::variation
