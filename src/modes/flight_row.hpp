@@ -127,8 +127,6 @@ class TurnRow {
 
 class FlightRow {
  public:
-  static constexpr int kTimes = kTimesOfRow;
-
   /// `machine` outlives the row. `spacing`: h [τ].
   FlightRow(const rotor::Machine& machine, double spacing);
 
@@ -157,7 +155,7 @@ class FlightRow {
   }
   [[nodiscard]] rotor::ShaftAndRing state(int i) const;
 
-  /// The first of the eight intervals of the row in which a tip with these gaps may touch; kTimes: none.
+  /// The first of the eight intervals of the row in which a tip with these gaps may touch; kTimesOfRow: none.
   /// `rounding`: more than the gaps are rounded by [m²].
   [[nodiscard]] int first_doubt(const Gaps& gaps, double rounding) const {
     const double remainder = remainder_ + rounding;
@@ -169,12 +167,13 @@ class FlightRow {
     // The tip of a blade that has just lifted off starts at the ring, up to rounding.
     double first = std::min(gaps.before, 0.0) + third * gaps.rate_before;
     const double highest = before.max(behind).maxCoeff();
-    if (std::max(first, highest) + remainder < 0.0 && gaps.gap.maxCoeff() < 0.0) return kTimes;  // mostly
-    for (int i = 0; i < kTimes; ++i) {
+    // Mostly.
+    if (std::max(first, highest) + remainder < 0.0 && gaps.gap.maxCoeff() < 0.0) return kTimesOfRow;
+    for (int i = 0; i < kTimesOfRow; ++i) {
       if (!(std::max(first, before[i]) + remainder < 0.0 && gaps.gap[i] < 0.0)) return i;
       first = behind[i];
     }
-    return kTimes;
+    return kTimesOfRow;
   }
 
   /// Where the gap of a tip rises all through one of the eight intervals, from below zero to above, so that

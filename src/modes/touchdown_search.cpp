@@ -69,10 +69,11 @@ bool TouchdownSearch::shaft_at_ring(double until) {
 TouchdownSearch::GapBounds TouchdownSearch::gap_bounds(const FlightBound& bound) const {
   const double centre = bound.position() + std::abs(machine_->constants.misalignment);  // of |c|
   const double velocity = bound.velocity();
+  const double turning = machine_->blades.speed_bound();
   const auto [second, third, fourth] = flight_->derivative_bounds(bound);
   const double third_turned =
-      third + 3.0 * turning_.first * second + 3.0 * turning_.second * velocity + turning_.third * centre;
-  const double fourth_turned = fourth + 4.0 * turning_.first * third + 6.0 * turning_.second * second +
+      third + 3.0 * turning * second + 3.0 * turning_.second * velocity + turning_.third * centre;
+  const double fourth_turned = fourth + 4.0 * turning * third + 6.0 * turning_.second * second +
                                4.0 * turning_.third * velocity + turning_.fourth * centre;
   return {6.0 * velocity * second + 2.0 * centre * third + 2.0 * farthest_ * third_turned,
           6.0 * second * second + 8.0 * velocity * third + 2.0 * centre * fourth +
@@ -83,14 +84,14 @@ TouchdownSearch::Outlook TouchdownSearch::outlook(double time, const rotor::Shaf
                                                   double until, bool shows_passes) {
   // Where free motion grows, a bound over all the remaining time would be as large as that of its end.
   const double remaining = until - time;
-  const double renewed = std::max(flight_->time_of_bound(), FlightRow::kTimes * kClosest * first_spacing_);
+  const double renewed = std::max(flight_->time_of_bound(), kTimesOfRow * kClosest * first_spacing_);
   const bool in_pieces = renewed < remaining;
   const double horizon = std::min(renewed, remaining);
   const double fourth = gap_bounds(flight_->bound(time, bodies, horizon)).fourth;
   const double share = shows_passes ? kLargestRemainderOfPasses : kLargestRemainder;
   const double allowed = share * ring_radius_ * machine_->constants.length_scale;
   const auto suits = [&](double h) {
-    return !(in_pieces && FlightRow::kTimes * h > renewed) && FlightRow::remainder(fourth, h) <= allowed;
+    return !(in_pieces && kTimesOfRow * h > renewed) && FlightRow::remainder(fourth, h) <= allowed;
   };
   double spacing = first_spacing_;
   while (spacing > kClosest * first_spacing_ && !suits(spacing)) spacing *= 0.5;
@@ -113,18 +114,18 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
     FlightRow& row = *ahead.row;
     const std::span<const FlightRow::Gaps> gaps = read(row, time, bodies, ahead.fourth);
     evaluations_ += blades_.size();
-    int doubt = FlightRow::kTimes;
+    int doubt = kTimesOfRow;
     for (std::size_t k = 0; k < gaps.size(); ++k) {
       first_doubts_[k] = row.first_doubt(gaps[k], rounding_);
       doubt = std::min(doubt, first_doubts_[k]);
     }
     if (keeps_rows_ && rows_.size() < kMostRows)
-      rows_.push_back({time, row.spacing(), std::min(doubt + 1, FlightRow::kTimes)});
+      rows_.push_back({time, row.spacing(), std::min(doubt + 1, kTimesOfRow)});
     if (doubt > 0) {
       time += doubt * row.spacing();
       bodies = rows % kRowsFromClosedForm != 0 ? row.state(doubt - 1) : flight_->state(time);
     }
-    if (doubt < FlightRow::kTimes) {
+    if (doubt < kTimesOfRow) {
       if (time >= until) break;
       const double end = std::min(time + row.spacing(), until);
       std::optional<Touchdown> touchdown;
@@ -142,7 +143,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
       time = end;
       bodies = flight_->state(time);
     }
-    const double next_end = time + FlightRow::kTimes * row.spacing();
+    const double next_end = time + kTimesOfRow * row.spacing();
     if (time < until && (row.spacing() < first_spacing_ || (next_end > ahead.until && ahead.until < until)))
       ahead = outlook(time, bodies, until, false);
   }
@@ -228,12 +229,12 @@ double TouchdownSearch::clear_step(const contact::Geometry& geometry, int blade,
 }
 
 /// With f = −iφ: (e^f)' = f' e^f, and so on.
-TouchdownSearch::TurningBounds TouchdownSearch::turning_bounds(const rotor::BladeSet& blades) {
+rotor::DerivativeBounds TouchdownSearch::turning_bounds(const rotor::BladeSet& blades) {
   const double speed = blades.speed_bound();
   const double change = blades.angular_acceleration_bound();
   const double jerk = blades.angular_jerk_bound();
   const double square = speed * speed;
-  return {speed, square + change, jerk + 3.0 * speed * change + square * speed,
+  return {square + change, jerk + 3.0 * speed * change + square * speed,
           blades.angular_snap_bound() + 4.0 * speed * jerk + 3.0 * change * change + 6.0 * square * change +
               square * square};
 }

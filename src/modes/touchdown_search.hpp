@@ -60,14 +60,8 @@ class TouchdownSearch {
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
-  /// Bounds of the first to fourth derivative of e^{−iφ}.
-  struct TurningBounds {
-    double first;
-    double second;
-    double third;
-    double fourth;
-  };
-  static TurningBounds turning_bounds(const rotor::BladeSet& blades);
+  /// Of e^{−iφ} [per unit τ², τ³, τ⁴].
+  static rotor::DerivativeBounds turning_bounds(const rotor::BladeSet& blades);
 
   /// Where a shaft on a stiff support, or a ring on a stiff spring, moves too fast for the first spacing,
   /// rows have half of it, a quarter, and so on, down to this share.
@@ -118,7 +112,7 @@ class TouchdownSearch {
   double ring_radius_;  ///< R [m]
   double rounding_;     ///< of gaps: below it a row does not tell [m²]
   double farthest_;     ///< the longest reach of a blade [m]
-  TurningBounds turning_;
+  rotor::DerivativeBounds turning_;
   double first_spacing_;           ///< of rows [τ]
   std::vector<int> first_doubts_;  ///< of the blades in a row
   std::map<double, FlightRow> rows_by_spacing_;

@@ -48,13 +48,13 @@ double TouchdownSearch::look_along(double begin, double end) {
   rotor::ShaftAndRing bodies = flight_->state(begin);
   FlightRow& row = *outlook(begin, bodies, end, true).row;
   rows_.clear();
-  const double length = FlightRow::kTimes * row.spacing();
+  const double length = kTimesOfRow * row.spacing();
   const auto count = static_cast<int>(std::min(std::ceil((end - begin) / length), double{kMostRows}));
   for (int number = 0; number < count && meter_->spend(Work::flight, price_of_row()); ++number) {
     const double time = begin + number * length;
     read(row, time, bodies, 0.0);
-    rows_.push_back({time, row.spacing(), FlightRow::kTimes});
-    bodies = row.state(FlightRow::kTimes - 1);
+    rows_.push_back({time, row.spacing(), kTimesOfRow});
+    bodies = row.state(kTimesOfRow - 1);
   }
   return begin + count * length;
 }
@@ -62,8 +62,8 @@ double TouchdownSearch::look_along(double begin, double end) {
 /// Whether a gap may rise and fall again within one of the row's intervals (`integrate::cubic_may_peak`).
 bool TouchdownSearch::may_have_top(const FlightRow::Gaps& gaps, double spacing) {
   RowValues gap_before, rise;
-  gap_before << gaps.before, gaps.gap.head(FlightRow::kTimes - 1);
-  rise << gaps.rate_before, gaps.rate.head(FlightRow::kTimes - 1);
+  gap_before << gaps.before, gaps.gap.head(kTimesOfRow - 1);
+  rise << gaps.rate_before, gaps.rate.head(kTimesOfRow - 1);
   const RowValues between = 3.0 / spacing * (gaps.gap - gap_before) - rise - gaps.rate;
   return ((rise > 0.0 && (between < 0.0 || gaps.rate <= 0.0)) || (between > 0.0 && gaps.rate < 0.0)).any();
 }

@@ -43,10 +43,10 @@ TEST(FlightRows, AreTheStatesAndGapsOfTheFlightToRounding) {
     modes::FlightRow row(machine, std::pow(10.0, between(generator, -3.0, -0.3)));
     const double begin = flight.start_time() + between(generator, 0.0, 5.0);
     row.start(begin, flight.state(begin), 0.0);
-    const double end = begin + modes::FlightRow::kTimes * row.spacing();
+    const double end = begin + modes::kTimesOfRow * row.spacing();
     const double size = std::max(largest_on_the_way(random, flight, end), 1e-6);
     const contact::BladeDirection first = machine.blades.first(begin);
-    for (int i = 0; i < modes::FlightRow::kTimes; ++i) {
+    for (int i = 0; i < modes::kTimesOfRow; ++i) {
       const double time = begin + (i + 1) * row.spacing();
       const rotor::ShaftAndRing exact = flight.state(time);
       const rotor::ShaftAndRing found = row.state(i);
