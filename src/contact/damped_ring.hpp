@@ -28,7 +28,6 @@ class ElasticBladeOnDampedRing {
       : blade_(blade), straight_(blade.geometry(), stiffness, blade.friction(), damping) {}
 
   [[nodiscard]] const Geometry& geometry() const { return blade_.geometry(); }
-  [[nodiscard]] const blade::ElasticaCurve& curve() const { return blade_.curve(); }
   [[nodiscard]] Friction friction() const { return blade_.friction(); }
   [[nodiscard]] const ElasticaContact& blade() const { return blade_; }  ///< in a ring that does not yield
   [[nodiscard]] const ElasticRingContact& straight() const { return straight_; }  ///< where it does not bend
@@ -56,7 +55,7 @@ class ElasticBladeOnDampedRing {
   /// Load above which a straight blade bends [N]; on the approaching side 0, or Euler's without friction.
   [[nodiscard]] double bending_load(const Pose& at, double slip, double angular_speed) const {
     if (blade_.starts_unloaded(at, slip))
-      return curve().friction() > 0.0 ? 0.0 : blade::kEulerLoad * blade_.load_unit();
+      return blade_.curve().friction() > 0.0 ? 0.0 : blade::kEulerLoad * blade_.load_unit();
     Pose touching = at;
     touching.gap = 0.0;
     const double yielding = magnitude(unbent_tip(geometry(), at)) - geometry().ring_radius;

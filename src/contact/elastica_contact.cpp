@@ -18,7 +18,7 @@ auto ElasticaContact::constraint_at(const Pose& at, double slip, const blade::Cu
   force.shortening = point.shortening;
   // (h/2) θ'(0) with EI θ'(0) = F Δ + μF (L − δ)
   force.root_strain = strain_unit_ * point.load * (point.deflection + friction_ * (1.0 - point.shortening));
-  return {force, slope(at, slip, point), square_change(there, rate)};
+  return {force, slope(at, slip, point).sum, square_change(there, rate)};
 }
 
 std::optional<double> ElasticaContact::solve(const Pose& at, double slip) const {
@@ -69,7 +69,7 @@ auto ElasticaContact::branches(const Pose& at, double slip) const -> Branches {
   const auto rise_at = [&](double bending) { return rise(at, slip, curve_at(bending)).sum; };
   Branches found;
   double before = 0.0;
-  double at_before = slope(at, slip, knots.front());
+  double at_before = slope(at, slip, knots.front()).sum;
   bool falls = at_before < 0.0;
   double begin = 0.0;  // of the branch that is open
   double crest = 0.0;
@@ -93,10 +93,10 @@ auto ElasticaContact::branches(const Pose& at, double slip) const -> Branches {
     before = bending;
     at_before = value;
   };
-  double at_knot = slope(at, slip, knots[1]);
+  double at_knot = slope(at, slip, knots[1]).sum;
   for (std::size_t i = 1; i < knots.size() && found.count < found.list.size(); ++i) {
     const blade::ElasticaCurve::Knot& following = knots[std::min(i + 1, knots.size() - 1)];
-    const double at_next = slope(at, slip, following);
+    const double at_next = slope(at, slip, following).sum;
     // Between two knots where h falls it may rise: near a highest value that is close to zero.
     const double drop = at_knot - std::min(at_before, at_next);
     if (at_knot < 0.0 && at_knot > at_before && at_knot >= at_next && at_knot + drop > 0.0) {
@@ -184,7 +184,7 @@ std::optional<double> ElasticaContact::solve_near(const Pose& at, double slip, d
   double previous = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < 12; ++iteration) {
     const blade::CurvePoint point = curve_at(bending);
-    const double descent = slope(at, slip, point);
+    const double descent = slope(at, slip, point).sum;
     if (!(descent < 0.0)) break;
     if (has_branches() && iteration == 0) first = rise(at, slip, point);
     const double step = -residual(at, slip, point) / descent;

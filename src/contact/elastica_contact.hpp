@@ -228,7 +228,7 @@ class ElasticaContact : public ElasticBladeInRing {
     double sum, size;
   };
   /// ∂h/∂u: of the bend, and of the ring that yields.
-  [[nodiscard]] Slope slope_of(const Pose& at, double slip, const blade::CurvePoint& point) const {
+  [[nodiscard]] Slope slope(const Pose& at, double slip, const blade::CurvePoint& point) const {
     const BladeVector<double> there = tip(at, slip, point);
     const double twice = -2.0 * length_;
     const double by_shortening = twice * there.along * point.shortening_slope;
@@ -238,12 +238,9 @@ class ElasticaContact : public ElasticBladeInRing {
     return {by_shortening + by_deflection + by_ring,
             std::abs(by_shortening) + std::abs(by_deflection) + std::abs(by_ring)};
   }
-  [[nodiscard]] double slope(const Pose& at, double slip, const blade::CurvePoint& point) const {
-    return slope_of(at, slip, point).sum;
-  }
   /// dh/dF (dh/du for the column) as `Knot` has its slopes.
   [[nodiscard]] Slope rise(const Pose& at, double slip, const blade::CurvePoint& point) const {
-    const Slope by_bend = slope_of(at, slip, point);
+    const Slope by_bend = slope(at, slip, point);
     return friction_ > 0.0 ? Slope{by_bend.sum / point.load_slope, by_bend.size / point.load_slope} : by_bend;
   }
   [[nodiscard]] Constraint constraint_at(const Pose& at, double slip, const blade::CurvePoint& point,
