@@ -110,19 +110,17 @@ double ContactArc::error_of(const Interval& interval) const {
   return length > 1.0 ? std::max(error, std::pow(length, Predictor::kOrder)) : error;
 }
 
-/// The stretch of an interval up to θ, solved for itself.
-bool ContactArc::cut(const Interval& whole, double fraction, Interval& shorter, double closest) {
-  static_cast<IntervalStart&>(shorter) = static_cast<const IntervalStart&>(whole);
-  shorter.shaft.start = whole.shaft.start;
-  shorter.ring.start = whole.ring.start;
-  shorter.tips.resize(whole.tips.size());
-  for (std::size_t k = 0; k < whole.tips.size(); ++k)
-    static_cast<TipStart&>(shorter.tips[k]) = static_cast<const TipStart&>(whole.tips[k]);
-  shorter.normal = whole.normal;
-  return solve_up_to(whole, fraction, shorter, closest);
-}
-/// The same where the stretch already starts as the interval does, or is the interval itself.
-bool ContactArc::solve_up_to(const Interval& whole, double fraction, Interval& stretch, double closest) {
+/// The stretch of an interval up to θ, solved for itself; may take the place of the interval.
+bool ContactArc::cut(const Interval& whole, double fraction, Interval& stretch, double closest) {
+  if (&stretch != &whole) {
+    static_cast<IntervalStart&>(stretch) = whole;
+    stretch.shaft.start = whole.shaft.start;
+    stretch.ring.start = whole.ring.start;
+    stretch.tips.resize(whole.tips.size());
+    for (std::size_t k = 0; k < whole.tips.size(); ++k)
+      static_cast<TipStart&>(stretch.tips[k]) = whole.tips[k];
+    stretch.normal = whole.normal;
+  }
   stretch.chord = {fraction * whole.chord.time, fraction * whole.chord.argument};
   solver_.read_stretch(machine(), whole, fraction, stretch);
   return solve(stretch, true, closest);

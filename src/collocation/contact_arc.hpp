@@ -250,9 +250,8 @@ class ContactArc {
   bool begin_anew(std::size_t leader);
   void leave_earlier();
   void guess_further(Interval& next) const;
-  bool cut(const Interval& whole, double fraction, Interval& shorter,
+  bool cut(const Interval& whole, double fraction, Interval& stretch,
            double closest = std::numeric_limits<double>::infinity());
-  bool solve_up_to(const Interval& whole, double fraction, Interval& stretch, double closest);
   /// `set_out` has given v its sign.
   [[nodiscard]] static bool slips_from_zero(double start_velocity) {
     return std::abs(start_velocity) == std::numeric_limits<double>::min();

@@ -183,12 +183,10 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
   const double closest = may_rest ? rounding : std::numeric_limits<double>::infinity();
   const double closest_fraction = may_rest ? kCloser * kClosestFraction : kClosestFraction;
   double left_before = std::numeric_limits<double>::infinity();
-  double fraction_before = 0.0;
+  double fraction_before = 1.0;
   for (int i = 0; i < (may_rest ? 2 * kTimes : kTimes); ++i) {
     // Again from where it was cut, which mostly takes one sweep.
-    const bool solved = i == 0 ? cut(whole, ending.fraction, shorter, closest)
-                               : solve_up_to(shorter, ending.fraction / fraction_before, shorter, closest);
-    if (!solved) {
+    if (!cut(i == 0 ? whole : shorter, ending.fraction / fraction_before, shorter, closest)) {
       // As closely as that it may not be known.
       if (!may_rest || !cut(whole, ending.fraction, shorter)) return false;
     }
