@@ -2,8 +2,6 @@
 /// which do not lead, do in the next.
 #pragma once
 
-#include <array>
-
 #include "blade/inclined_elastica.hpp"
 #include "collocation/interval.hpp"
 #include "contact/elastica_contact.hpp"
@@ -11,12 +9,6 @@
 #include "rotor/constants.hpp"
 
 namespace rubatlas::collocation {
-
-/// Cosine and sine of the angle from one blade to another.
-inline std::array<double, 2> offset_between(const contact::BladeDirection& from,
-                                            const contact::BladeDirection& to) {
-  return {to.cosine * from.cosine + to.sine * from.sine, to.sine * from.cosine - to.cosine * from.sine};
-}
 
 /// A blade that touches the ring.
 struct Touch {

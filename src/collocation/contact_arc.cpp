@@ -31,11 +31,9 @@ ContactArc::ContactArc(const rotor::Machine& machine, Law& law, double tolerance
       machine_(machine, law.geometry(0).ring_radius),
       solver_(interval_solver()),
       predictor_(machine, law),
-      offsets_(static_cast<std::size_t>(blades_->count())),
       allowed_(kBetweenNodes * rotor_->length_scale *
                std::pow(tolerance / rotor_->length_scale, Predictor::kOrder / kOrderAtEnd)),
       ring_keeps_load_(!law.ends_at_ring() && !law.is_rigid()),
-      friction_varies_(!law.has_slip_state()),
       leans_(law.leans()),
       earlier_(machine.ring_body() != nullptr, rotor_->length_scale) {
   law.take_machine(machine);
@@ -101,7 +99,7 @@ double ContactArc::error_of(const Interval& interval) const {
   if (ring_keeps_load_) left_out = last * fall * fall;
   // Under friction with a velocity those of the force fall as slowly as those of the time, and the last ones
   // of both meet in their product.
-  if (friction_varies_ && last > 0.0)
+  if (!law_->has_slip_state() && last > 0.0)
     left_out = std::max(left_out, last * last * fall / std::max(interval.coefficients[0], last));
   const double at_end = left_out * kLargestIntegral;
   double error = std::max(between / allowed_, at_end / (kAtEnd * tolerance_));

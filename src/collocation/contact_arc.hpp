@@ -180,8 +180,11 @@ class ContactArc {
   [[nodiscard]] double gap_rate_at_end(int blade, const contact::Pose& there) const {
     return contact::gap_rate(law_->geometry(blade), there, blades_->angular_speed(end_.time));
   }
-  [[nodiscard]] const std::array<double, 2>& offset_of(int blade) const {
-    return offsets_[static_cast<std::size_t>(blade)];
+  /// Cosine and sine of the angle from the leading blade to another.
+  [[nodiscard]] std::array<double, 2> offset_of(int blade) const {
+    const contact::BladeDirection& from = from_first_[static_cast<std::size_t>(leader())];
+    const contact::BladeDirection& to = from_first_[static_cast<std::size_t>(blade)];
+    return {to.cosine * from.cosine + to.sine * from.sine, to.sine * from.cosine - to.cosine * from.sine};
   }
   static void move(Point& point, const Interval& interval, double late);
   void predict(const Touch& touch, const contact::Pose& there);
@@ -313,14 +316,11 @@ class ContactArc {
   std::vector<Blade> numbers_;  ///< of the blades
   IntervalSolver solver_;
   Predictor predictor_;
-  std::vector<std::array<double, 2>>
-      offsets_;  ///< cosine and sine of the angles from the leading blade to others
   std::vector<contact::BladeDirection> from_first_;  ///< of the blades from the place of blade 0
   std::vector<int> others_;                          ///< blades that do not touch
   std::vector<BladeStart> tips_;                     ///< where the next interval starts; the first leads
   double allowed_;        ///< error of a velocity between the nodes [m per unit τ]
   bool ring_keeps_load_;  ///< it yields to elastic blades in its own time
-  bool friction_varies_;  ///< with the slip velocity
   bool leans_;            ///< `Law::leans`
 
   bool begins_ = false;  ///< the next interval is the first of the contact

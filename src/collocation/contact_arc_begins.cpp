@@ -55,16 +55,11 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
     touching = held;
   }
   er_ = direction(leads, time);
-  const contact::BladeDirection& from = from_first_[static_cast<std::size_t>(leads)];
-  std::ranges::transform(from_first_, offsets_.begin(),
-                         [&from](const auto& to) { return offset_between(from, to); });
-  offsets_[static_cast<std::size_t>(leads)] = {1.0, 0.0};
   const double speed = blades_->angular_speed(time);
   tips_.clear();
   const auto start = [&](const Touch& touch, const contact::Pose& at) -> BladeStart& {
     BladeStart& tip = tips_.emplace_back(law_->start(touch, {at, speed}));
     tip.blade = &numbers(touch.blade);
-    tip.offset = offset_of(touch.blade);
     tip.start_gap = gap_at(touch, start_);
     return tip;
   };
@@ -75,6 +70,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
     law_->take(touch);
     const contact::Pose at = pose(touch.blade, start_);
     BladeStart& tip = start(touch, at);
+    tip.offset = offset_of(touch.blade);
     law_->set_course(touch, {at, speed}, tip);
     tip.start_square = tip.square.value;
     start_.further.push_back({tip.start_square, tip.lean.value, tip.start_yielding, touch.share});
@@ -119,7 +115,6 @@ void ContactArc::look_for_earlier() {
 
 /// What is known where the leading blade takes the lead.
 void ContactArc::predict(const Touch& touch, const contact::Pose& there) {
-  const double angular_speed = blades_->angular_speed(end_.time);
   std::complex<double> force;
   for (const BladeStart& tip : tips_) {
     const auto& [cosine, sine] = tip.offset;
@@ -132,8 +127,7 @@ void ContactArc::predict(const Touch& touch, const contact::Pose& there) {
   for (BladeStart& tip : tips_) set_out(tip, closing);
   predictor_.begin({.touch = touch,
                     .blade = leading(),
-                    .ring_radius = machine().ring_radius,
-                    .angular_speed = angular_speed,
+                    .angular_speed = blades_->angular_speed(end_.time),
                     .bodies = end_.bodies,
                     .pose = there,
                     .direction = er_,

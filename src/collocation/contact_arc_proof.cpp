@@ -37,7 +37,7 @@ bool ContactArc::stays_valid(const Ending& ending) const {
 /// Whether another tip does not touch within an interval: its gap [m²] stays below what is allowed, or, where
 /// it starts inside the ring, half of the rate of that.
 bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) {
-  const std::array<double, 2>& offset = offset_of(blade);
+  const std::array<double, 2> offset = offset_of(blade);
   const double bound = solver_.largest_gap(machine(), interval, numbers(blade), offset);
   gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
   if (starts_inside(blade))

@@ -64,12 +64,12 @@ void Predictor::begin(const Start& start) {
   ring_ = {.acceleration = {start.acceleration.ring.real(), start.acceleration.ring.imag()}};
   const double speed = start.angular_speed;
   const rotor::State state = rotor::from_ring(start.bodies);
-  const contact::Geometry geometry{start.blade.blade->reach, start.ring_radius};
+  const contact::Geometry geometry = law_->geometry(start.touch.blade);
   lean_ = {start.bending.lean};
   const double rate = contact::gap_rate(geometry, start.pose, speed) - start.blade.ring_opens;
-  double curvature = contact::gap_curvature(geometry, start.direction, start.pose,
-                                            {state[0], state[1] + rotor_->misalignment}, {state[2], state[3]},
-                                            start.acceleration.shaft - start.acceleration.ring, speed);
+  double curvature = contact::gap_curvature(
+      geometry, start.direction, start.pose, {state[0], state[1] + machine_->constants.misalignment},
+      {state[2], state[3]}, start.acceleration.shaft - start.acceleration.ring, speed);
   // Under a load that stays a ring with dampers opens ever more slowly, at this rate.
   if (const Blade& blade = *start.blade.blade; blade.ring_damping > 0.0)
     curvature += start.blade.ring_opens * blade.ring_stiffness / blade.ring_damping;
@@ -88,7 +88,7 @@ void Predictor::begin_under_load(const Start& start, double half) {
   constexpr double kShortestHalf = 1e-6;  // a contact that ends before is a part of its first interval
   time_unit_ = std::max(half, kShortestHalf);
   // Half of the period on the ring's spring.
-  if (const double stiffness = start.blade.blade->ring_stiffness * closing_unit_; stiffness > 0.0)
+  if (const double stiffness = start.blade.blade->ring_stiffness * machine_->closing_unit(); stiffness > 0.0)
     time_unit_ = std::min(time_unit_, std::numbers::pi / std::sqrt(stiffness));
   duration_ = std::min(half, time_unit_);
   unit_length_ = 1.0;
@@ -124,7 +124,8 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
   const Blade& blade = *start.blade.blade;
   const double along = start.pose.radial + blade.reach;
   const double side = law_->side(start.touch) * start.pose.tangential;
-  const double per_load = 2.0 * along * closing_unit_ * blade.load_unit;
+  const double per_load = 2.0 * along * machine_->closing_unit() * blade.load_unit;
+  const double radius = law_->geometry(start.touch.blade).ring_radius;
   const std::span<const blade::BendingTable::Knot> knots = law_->knots();
   double energy = 0.5 * rate * rate;
   double largest = knots.back().argument;
@@ -136,7 +137,7 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
     const double deflection = blade.length * knot.deflection;
     const double yielding = blade.yield_unit * knot.load;
     const double next = shortening * (2.0 * along - shortening) + deflection * (2.0 * side - deflection) +
-                        yielding * (2.0 * start.ring_radius + yielding);
+                        contact::widening(yielding, radius);
     const double taken = (0.5 * (load + knot.load) * per_load - curvature_of_gap) * (next - gap);
     if (taken > energy) {
       // In the first quarter of a piece energy grows as p⁴.

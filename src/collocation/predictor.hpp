@@ -24,18 +24,12 @@ class Predictor {
 
   /// Both must outlive the predictor.
   Predictor(const rotor::Machine& machine, const Law& law)
-      : rotor_(&machine.constants),
-        law_(&law),
-        leans_(law.leans()),
-        closing_unit_(machine.constants.force_unit) {
-    if (const rotor::RingBody* ring = machine.ring_body()) closing_unit_ += ring->force_unit();
-  }
+      : machine_(&machine), law_(&law), leans_(law.leans()) {}
 
   /// Where a blade takes the lead.
   struct Start {
     Touch touch;
     const BladeStart& blade;
-    double ring_radius;    ///< R [m]
     double angular_speed;  ///< φ' [rad per unit τ]
     rotor::ShaftAndRing bodies;
     contact::Pose pose;                 ///< of the blade
@@ -79,10 +73,9 @@ class Predictor {
   [[nodiscard]] double unit_at_rest(double time, double argument, double lean) const;
   void begin_unloaded(const Start& start, double half, double rate, double curvature_of_gap);
 
-  const rotor::RotorConstants* rotor_;
+  const rotor::Machine* machine_;
   const Law* law_;
   bool leans_;
-  double closing_unit_;  ///< acceleration between shaft and ring of one newton [m/N]
   double duration_ = 1.0;
   double time_unit_ = 1.0;     ///< T
   bool rests_ = false;         ///< the leading blade is elastic, and its tip at rest
