@@ -141,8 +141,10 @@ class ContactArc {
   }
   /// Bound of the gaps of the blades that do not touch, within the interval [m²].
   [[nodiscard]] double gap_bound_of_others() const { return gap_bound_of_others_; }
-  /// Where the tip of a blade, straight, is farthest out within the interval, if it is there.
-  [[nodiscard]] std::optional<TipTop> top_of_tip(int blade) const;
+  /// θ and g where the tip of a blade, straight, is farthest out within the interval, if it is there.
+  [[nodiscard]] std::optional<integrate::Sample> top_of_tip(int blade) const {
+    return top_of(course_of_tip(made(), blade));
+  }
   /// At θ, or close by: the end of the stretch up to there, solved for itself.
   [[nodiscard]] Point solved_at_fraction(double fraction);
   /// Bound of |z| in the interval [m].
@@ -231,6 +233,9 @@ class ContactArc {
   [[nodiscard]] Quantity validity_left(const Interval& interval, Guard guard, int blade) const;
   [[nodiscard]] const TipInTime& tip_of(const Interval& interval, int blade) const {
     return interval.tips[number_of(blade)];
+  }
+  [[nodiscard]] TipCourse course_of_tip(const Interval& interval, int blade) const {
+    return collocation::course_of_tip(machine(), interval, numbers(blade), offset_of(blade));
   }
   [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before);
   [[nodiscard]] int touches_at_once() const;

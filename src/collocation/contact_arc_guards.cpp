@@ -119,7 +119,7 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
   for (const int blade : others_) {
     if (stays_off(blade, interval, 0.0)) continue;
     const bool inside = starts_inside(blade);
-    const TipCourse tip = course_of_tip(machine(), interval, numbers(blade), offset_of(blade));
+    const TipCourse tip = course_of_tip(interval, blade);
     AtPlaces values = inside ? tip.rate : tip.gap;
     for (double& value : values) value = -value;
     std::size_t place = kPlaces;

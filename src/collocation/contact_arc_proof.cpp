@@ -37,11 +37,9 @@ bool ContactArc::stays_valid(const Ending& ending) const {
 /// Whether another tip does not touch within an interval: its gap [m²] stays below what is allowed, or, where
 /// it starts inside the ring, half of the rate of that.
 bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) {
-  const std::array<double, 2> offset = offset_of(blade);
-  const double bound = solver_.largest_gap(machine(), interval, numbers(blade), offset);
+  const double bound = solver_.largest_gap(machine(), interval, numbers(blade), offset_of(blade));
   gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
-  if (starts_inside(blade))
-    return largest_coefficient(course_of_tip(machine(), interval, numbers(blade), offset).rate) < allowed;
+  if (starts_inside(blade)) return largest_coefficient(course_of_tip(interval, blade).rate) < allowed;
   // A tip that has just lifted off may stand at the ring for a while.
   return bound < allowed || bound < rotor_->gap_rounding(law_->geometry(blade));
 }

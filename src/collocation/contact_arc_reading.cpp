@@ -175,8 +175,4 @@ Touch ContactArc::touch_of(int blade, const Point& point) const {
   return *std::ranges::find(touching, blade, &Touch::blade);
 }
 
-std::optional<TipTop> ContactArc::top_of_tip(int blade) const {
-  return collocation::top_of_tip(machine(), made(), numbers(blade), offset_of(blade));
-}
-
 }  // namespace rubatlas::collocation

@@ -14,7 +14,6 @@ namespace {
 constexpr double kClosestTime = 1e-7;
 /// The same where a value is flat, so that only the square of an error matters.
 constexpr double kClosestToTop = 1e-4;
-constexpr unsigned kBitsOfTop = 20;
 
 /// Place and velocity of a body at the places: x, y, vx, vy.
 using PathAtPlaces = std::array<AtPlaces, 4>;
@@ -30,53 +29,6 @@ std::array<double, kCount> read(const std::array<AtPlaces, kCount>& values, doub
   for (std::size_t k = 0; k < kCount; ++k) there[k] = sum_of_products(basis, values[k]);
   return there;
 }
-
-/// The tip of a straight blade within an interval.
-class StraightTip {
- public:
-  StraightTip(const Machine& machine, const Interval& interval, const Blade& blade,
-              const std::array<double, 2>& offset)
-      : blade_(&blade), offset_(offset) {
-    const PathAtPlaces shaft = path_at_places(interval.shaft);
-    std::copy(shaft.begin(), shaft.end(), values_.begin());
-    values_[4] = at_places(interval.blade[0], interval.blade_x);
-    values_[5] = at_places(interval.blade[1], interval.blade_y);
-    values_[6] = at_places(interval.start_angular_speed, interval.angular_speed);
-    const PathAtPlaces ring = path_at_places(interval.ring);
-    for (std::size_t k = 0; machine.ring.moves && k < ring.size(); ++k) {
-      for (std::size_t i = 0; i < kPlaces; ++i) values_[k][i] -= ring[k][i];
-    }
-    for (double& y : values_[1]) y += machine.misalignment;
-  }
-
-  /// g [m²], and half of dg/dτ (MODEL 2): c·c' + (rh + L)(c'·er + φ' c·et).
-  struct Gap {
-    double gap, rate;
-  };
-  [[nodiscard]] Gap at_place(std::size_t place) const {
-    std::array<double, kValues> there{};
-    for (std::size_t k = 0; k < kValues; ++k) there[k] = values_[k][place];
-    return of(there);
-  }
-  [[nodiscard]] Gap at(double fraction) const { return of(read(values_, fraction)); }
-
- private:
-  /// Shaft from the ring's centre, velocity, direction and φ' of the leading blade.
-  static constexpr std::size_t kValues = 7;
-  [[nodiscard]] Gap of(const std::array<double, kValues>& there) const {
-    const std::array er{there[4] * offset_[0] - there[5] * offset_[1],
-                        there[5] * offset_[0] + there[4] * offset_[1]};
-    return {there[0] * there[0] + there[1] * there[1] +
-                2.0 * blade_->reach * (there[0] * er[0] + there[1] * er[1]) + blade_->closing,
-            there[0] * there[2] + there[1] * there[3] +
-                blade_->reach *
-                    (there[2] * er[0] + there[3] * er[1] + there[6] * (there[1] * er[0] - there[0] * er[1]))};
-  }
-
-  const Blade* blade_;
-  std::array<double, 2> offset_;
-  std::array<AtPlaces, kValues> values_;
-};
 
 }  // namespace
 
@@ -165,34 +117,37 @@ Farthest farthest(const Interval& interval, double from, double to) {
   return {most.fraction, std::sqrt(most.square)};
 }
 
-std::optional<TipTop> top_of_tip(const Machine& machine, const Interval& interval, const Blade& blade,
-                                 const std::array<double, 2>& offset) {
-  const StraightTip tip(machine, interval, blade, offset);
-  const auto rate_at = [&](double fraction) { return tip.at(fraction).rate; };
-  double before = tip.at_place(0).rate;
-  for (std::size_t i = 1; i < kPlaces; ++i) {
-    const double after = tip.at_place(i).rate;
-    if (before > 0.0 && after <= 0.0) {
-      const AtPlaces& place = kNodeTables.place;
-      const double fraction =
-          integrate::root_between(rate_at, place[i - 1], place[i], before, after, kBitsOfTop);
-      return TipTop{fraction, tip.at(fraction).gap};
-    }
-    before = after;
-  }
-  return std::nullopt;
-}
-
 TipCourse course_of_tip(const Machine& machine, const Interval& interval, const Blade& blade,
                         const std::array<double, 2>& offset) {
-  const StraightTip tip(machine, interval, blade, offset);
-  TipCourse course{};
-  for (std::size_t i = 0; i < kPlaces; ++i) {
-    const auto [gap, rate] = tip.at_place(i);
-    course.gap[i] = gap;
-    course.rate[i] = rate;
-  }
+  TipCourse course;
+  const auto set = [&](std::size_t place, double x, double y, double vx, double vy, double leader_x,
+                       double leader_y, double angular_speed) {
+    y += machine.misalignment;
+    const double er_x = leader_x * offset[0] - leader_y * offset[1];
+    const double er_y = leader_y * offset[0] + leader_x * offset[1];
+    course.gap[place] = x * x + y * y + 2.0 * blade.reach * (x * er_x + y * er_y) + blade.closing;
+    // c·c' + (rh + L)(c'·er + φ' c·et)
+    course.rate[place] =
+        x * vx + y * vy + blade.reach * (vx * er_x + vy * er_y + angular_speed * (y * er_x - x * er_y));
+  };
+  const Body& shaft = interval.shaft;
+  const Body& ring = interval.ring;
+  const auto seen = [&](std::size_t i) { return shaft.start[i] - ring.start[i]; };
+  set(0, seen(0), seen(1), seen(2), seen(3), interval.blade[0], interval.blade[1],
+      interval.start_angular_speed);
+  for (std::size_t i = 0; i < kNodes; ++i)
+    set(i + 1, shaft.x[i] - ring.x[i], shaft.y[i] - ring.y[i], shaft.vx[i] - ring.vx[i],
+        shaft.vy[i] - ring.vy[i], interval.blade_x[i], interval.blade_y[i], interval.angular_speed[i]);
   return course;
+}
+
+std::optional<integrate::Sample> top_of(const TipCourse& tip) {
+  for (std::size_t i = 1; i < kPlaces; ++i) {
+    if (!(tip.rate[i - 1] > 0.0 && tip.rate[i] <= 0.0)) continue;
+    const double fraction = crossing(tip.rate, i);
+    return integrate::Sample{fraction, sum_of_products(basis_at(fraction), tip.gap)};
+  }
+  return std::nullopt;
 }
 
 double largest_coefficient(const AtPlaces& values) {

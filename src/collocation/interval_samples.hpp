@@ -27,8 +27,8 @@ struct Farthest {
 };
 Farthest farthest(const Interval& interval, double from, double to);
 
-/// g [m²] of a straight blade at the places, and half of dg/dτ. `offset`: cosine and sine of its angle from
-/// the leading one.
+/// g [m²] of the tip of a straight blade at the places, and half of dg/dτ (MODEL 2). `offset`: cosine and
+/// sine of the blade's angle from the leading one.
 struct TipCourse {
   AtPlaces gap, rate;
 };
@@ -38,14 +38,7 @@ TipCourse course_of_tip(const Machine& machine, const Interval& interval, const 
 /// coefficients.
 double largest_coefficient(const AtPlaces& values);
 
-/// Where the tip of a straight blade is farthest out, of a tip that comes nearer to the ring before and moves
-/// away after.
-struct TipTop {
-  double fraction;  ///< θ
-  double gap;       ///< g [m²], as the interval's polynomials have it
-};
-/// `offset`: cosine and sine of the blade's angle from the leading one.
-std::optional<TipTop> top_of_tip(const Machine& machine, const Interval& interval, const Blade& blade,
-                                 const std::array<double, 2>& offset);
+/// θ and g [m²] where it is farthest out, of a tip that comes nearer to the ring before and moves away after.
+std::optional<integrate::Sample> top_of(const TipCourse& tip);
 
 }  // namespace rubatlas::collocation

@@ -180,8 +180,8 @@ std::optional<trajectory::Pass> Collocated::nearest_pass(double known,
   for (int k = 0; k < point.blade_count; ++k) {
     if (std::ranges::find(contacts_, k, &OpenContact::blade) != contacts_.end()) continue;
     const auto top = arc_.top_of_tip(k);
-    if (!top || top->gap <= gap_at(std::min(known, radius))) continue;
-    const Point at = arc_.solved_at_fraction(top->fraction);
+    if (!top || top->value <= gap_at(std::min(known, radius))) continue;
+    const Point at = arc_.solved_at_fraction(top->argument);
     const trajectory::Tip there = tip(k, at);
     if (!(there.overlap < 0.0 && -there.overlap < known)) continue;
     known = -there.overlap;
@@ -197,8 +197,8 @@ trajectory::Tip Collocated::deepest(std::size_t contact, double enough) {
   if (at_end.rate >= 0.0) return at_end;
   const auto top = arc_.top_of_tip(number);
   if (!top) return at_end;
-  const bool deep = top->gap > enough * (enough + 2.0 * law_->geometry(0).ring_radius);
-  return tip(number, deep ? arc_.point_at(top->fraction) : arc_.solved_at_fraction(top->fraction));
+  const bool deep = top->value > enough * (enough + 2.0 * law_->geometry(0).ring_radius);
+  return tip(number, deep ? arc_.point_at(top->argument) : arc_.solved_at_fraction(top->argument));
 }
 
 bool Collocated::solved_places(bool with_forces, const trajectory::VisitPlace& visit) {
