@@ -62,16 +62,16 @@ class IntervalBounds {
   }
 
   double gap(const Blade& blade, const std::array<double, 2>& offset) const {
+    // Of the tip of a straight blade (MODEL 2); `x, y`: er of the leading one.
+    const auto gap_of = [&](const auto& shaft, const auto& x, const auto& y) {
+      const auto er_x = x * offset[0] - y * offset[1];
+      const auto er_y = y * offset[0] + x * offset[1];
+      return (shaft.x * shaft.x + shaft.y * shaft.y) +
+             ((shaft.x * er_x + shaft.y * er_y) * (2.0 * blade.reach) + blade.closing);
+    };
     const Interval& in = interval_;
-    const Number blade_x(in.blade_x);
-    const Number blade_y(in.blade_y);
-    const Place<double> seen = start_from_ring();
-    const double start = gap_of(blade, seen.x, seen.y, in.blade[0] * offset[0] - in.blade[1] * offset[1],
-                                in.blade[1] * offset[0] + in.blade[0] * offset[1]);
-    const Place<Number> at_nodes = from_ring();
-    const Number nodes = gap_of(blade, at_nodes.x, at_nodes.y, blade_x * offset[0] - blade_y * offset[1],
-                                blade_y * offset[0] + blade_x * offset[1]);
-    return later(start, nodes).largest();
+    const double start = gap_of(start_from_ring(), in.blade[0], in.blade[1]);
+    return later(start, gap_of(from_ring(), Number(in.blade_x), Number(in.blade_y))).largest();
   }
 
  private:
@@ -96,13 +96,6 @@ class IntervalBounds {
     if (!machine_.ring.moves) return {Number(shaft.x), Number(shaft.y) + misalignment};
     return {Number(shaft.x) - Number(ring.x), Number(shaft.y) - Number(ring.y) + misalignment};
   }
-  /// Of the tip of a straight blade in the direction er (MODEL 2).
-  template <class Value>
-  static Value gap_of(const Blade& blade, const Value& x, const Value& y, const Value& er_x,
-                      const Value& er_y) {
-    return (x * x + y * y) + ((x * er_x + y * er_y) * (2.0 * blade.reach) + blade.closing);
-  }
-
   /// Coefficients 1 to 8; coefficient 0 is the value at the start.
   Number later(double start, const Number& at_nodes) const {
     return Number::combined(nodes_.bernstein, at_nodes) + Number(nodes_.bernstein_of_start) * start;

@@ -192,8 +192,8 @@ void Predictor::guess(Interval& next) {
   const double cosine = 1.0 - square * (0.5 - square / 24.0);
   const double sine = half_turn * sine_per_turn;
   const double chord = length * sine_per_turn;
-  const Tangent direction{tangent_.time * cosine - tangent_.argument * sine,
-                          tangent_.argument * cosine + tangent_.time * sine};
+  const Interval::Direction direction{tangent_.time * cosine - tangent_.argument * sine,
+                                      tangent_.argument * cosine + tangent_.time * sine};
   const bool reaches_zero = next.start_argument > 0.0 && tangent_.argument < -kSteep &&
                             next.start_argument + chord * direction.argument < kReach * length;
   if (reaches_zero) {
@@ -233,7 +233,7 @@ bool Predictor::shortens(double error) {
 
 void Predictor::goes_on(const Interval& interval) {
   struct Place {
-    Tangent tangent;
+    Interval::Direction tangent;
     double time;
     double argument;
   };
@@ -255,7 +255,7 @@ void Predictor::goes_on(const Interval& interval) {
   const auto between = [](const Place& from, const Place& to) {
     return length_of(to.time - from.time, to.argument - from.argument);
   };
-  const auto turning = [](const Tangent& from, const Tangent& to) {
+  const auto turning = [](const Interval::Direction& from, const Interval::Direction& to) {
     return from.time * to.argument - from.argument * to.time;
   };
   const double before = between(last[0], last[1]);

@@ -64,11 +64,6 @@ class Predictor {
   static constexpr double kShortest = 1e-8;      ///< of the arc with which an interval is begun
   static constexpr double kStillShorter = 1e-5;  ///< of that, where nothing else helps
 
-  /// Direction in the plane (τ/T, p), of length 1.
-  struct Tangent {
-    double time;
-    double argument;
-  };
   void begin_under_load(const Start& start, double half);
   [[nodiscard]] double unit_at_rest(double time, double argument, double lean) const;
   void begin_unloaded(const Start& start, double half, double rate, double curvature_of_gap);
@@ -77,12 +72,12 @@ class Predictor {
   const Law* law_;
   bool leans_;
   double duration_ = 1.0;
-  double time_unit_ = 1.0;     ///< T
-  bool rests_ = false;         ///< the leading blade is elastic, and its tip at rest
-  double longest_unit_ = 1.0;  ///< of T in that case
-  Tangent tangent_{};          ///< where the next interval starts
-  double curvature_ = 0.0;     ///< there, in the plane (τ/T, p)
-  double unit_length_ = 1.0;   ///< of the first arc: the largest bending to be expected
+  double time_unit_ = 1.0;         ///< T
+  bool rests_ = false;             ///< the leading blade is elastic, and its tip at rest
+  double longest_unit_ = 1.0;      ///< of T in that case
+  Interval::Direction tangent_{};  ///< where the next interval starts, in the plane (τ/T, p), of length 1
+  double curvature_ = 0.0;         ///< there, in the plane (τ/T, p)
+  double unit_length_ = 1.0;       ///< of the first arc: the largest bending to be expected
   /// Length of the first arc against that unit, as the contacts of this motion have had it so far: of
   /// contacts that start unloaded, and under load.
   std::array<double, 2> share_of_first_{0.5, 1.0};
