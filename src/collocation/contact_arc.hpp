@@ -148,7 +148,7 @@ class ContactArc {
   /// At θ, or close by: the end of the stretch up to there, solved for itself.
   [[nodiscard]] Point solved_at_fraction(double fraction);
   /// Bound of |z| in the interval [m].
-  [[nodiscard]] double displacement_bound() const { return displacement_bound_; }
+  [[nodiscard]] double displacement_bound() const { return bounds_.displacement; }
 
   /// Sets the time back by a revolution.
   void shift_time(double period);
@@ -341,9 +341,7 @@ class ContactArc {
   EarlierContacts::Found found_;  ///< the earlier contact is followed, unless it is null
   std::size_t number_ = 0;        ///< of the next interval in the contact
   double rounding_at_end_ = 0.0;  ///< |v| or other where an ending is
-  Bounds bounds_{};               ///< of the interval that is being judged
-  double displacement_bound_ = 0.0;
-  double argument_bound_ = 0.0;  ///< of the leading blade's p in the interval that was made
+  Bounds bounds_{};               ///< of the interval that has been judged last
   double gap_bound_of_others_ = 0.0;
   std::uint64_t interval_count_ = 0;
   std::uint64_t rejected_ = 0;

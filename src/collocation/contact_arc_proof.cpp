@@ -101,8 +101,6 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   };
   // Bounds of shorter intervals tell.
   if (!stays_valid(ending)) return begins_ && may_change ? change_leader() : Verdict::too_long;
-  displacement_bound_ = bounds_.displacement;
-  argument_bound_ = bounds_.argument;
   // A blade that has just bent on a ring with dampers moves away from where it stood straight by the square
   // of the time, at first by less than sweeps leave.
   const bool stays_bent = begins_ ? bounds_.gap_measure > -kClosest * tolerance_

@@ -69,7 +69,7 @@ ContactArc::Point ContactArc::solved_in(const Stretch& stretch, double fraction)
 std::optional<ContactArc::Point> ContactArc::most_bent(int blade, double from, double to, double known) {
   const double bound = 1.0 + kSafety * allowed_ / rotor_->length_scale;
   const bool leads = blade == leader();
-  if (leads && bound * argument_bound_ <= known) return std::nullopt;  // mostly
+  if (leads && bound * bounds_.argument <= known) return std::nullopt;  // mostly
   const double least = known / bound;
   const Stretch within = stretch(from, to);
   const AtPlaces values = leads ? at_places(made().start_argument, made().argument)
@@ -116,7 +116,7 @@ std::optional<ContactArc::Point> ContactArc::most_loaded(int blade, bool of_forc
 }
 
 double ContactArc::largest_displacement(double from, double to, double known) {
-  if (!(displacement_bound_ > known)) return known;
+  if (!(displacement_bound() > known)) return known;
   const Stretch within = stretch(from, to);
   const Farthest there = farthest(made(), within.first, within.last);
   // Between the nodes a place errs by less than a velocity would move it in a unit of time.
