@@ -16,7 +16,6 @@ namespace {
 /// (`solved_at`).
 constexpr double kBetweenNodes = 0.27;
 constexpr double kOrderAtEnd = 14.0;
-constexpr double kAtEnd = 1.0;            ///< tolerances: of that at the end, as far as it can be estimated
 constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less evenly
 
 }  // namespace
@@ -102,7 +101,7 @@ double ContactArc::error_of(const Interval& interval) const {
   if (!law_->has_slip_state() && last > 0.0)
     left_out = std::max(left_out, last * last * fall / std::max(interval.coefficients[0], last));
   const double at_end = left_out * kLargestIntegral;
-  double error = std::max(between / allowed_, at_end / (kAtEnd * tolerance_));
+  double error = std::max(between / allowed_, at_end / tolerance_);
   if (interval.tips.size() > 1) error *= kCareWithSeveral;
   const double length = interval.elapsed.at_end() / machine_.longest_interval();
   return length > 1.0 ? std::max(error, std::pow(length, Predictor::kOrder)) : error;
