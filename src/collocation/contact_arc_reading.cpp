@@ -118,10 +118,10 @@ std::optional<ContactArc::Point> ContactArc::most_loaded(int blade, bool of_forc
 double ContactArc::largest_displacement(double from, double to, double known) {
   if (!(displacement_bound() > known)) return known;
   const Stretch within = stretch(from, to);
-  const Farthest there = farthest(made(), within.first, within.last);
+  const integrate::Sample there = farthest(made(), within.first, within.last);
   // Between the nodes a place errs by less than a velocity would move it in a unit of time.
-  if (!(there.displacement + allowed_ > known)) return known;
-  const rotor::ShaftAndRing bodies = solved_in(within, there.fraction).bodies;
+  if (!(there.value + allowed_ > known)) return known;
+  const rotor::ShaftAndRing bodies = solved_in(within, there.argument).bodies;
   return std::max(known, std::sqrt(bodies[0] * bodies[0] + bodies[1] * bodies[1]));
 }
 

@@ -8,29 +8,6 @@
 #include "integrate/root_between.hpp"
 
 namespace rubatlas::collocation {
-namespace {
-
-/// [θ]: Newton's method ends with a step below it, which leaves an error of its square.
-constexpr double kClosestTime = 1e-7;
-/// The same where a value is flat, so that only the square of an error matters.
-constexpr double kClosestToTop = 1e-4;
-
-/// Place and velocity of a body at the places: x, y, vx, vy.
-using PathAtPlaces = std::array<AtPlaces, 4>;
-PathAtPlaces path_at_places(const Places& body) {
-  return {at_places(body.start[0], body.x), at_places(body.start[1], body.y),
-          at_places(body.start[2], body.vx), at_places(body.start[3], body.vy)};
-}
-/// Polynomials through values at the places, at θ.
-template <std::size_t kCount>
-std::array<double, kCount> read(const std::array<AtPlaces, kCount>& values, double fraction) {
-  const AtPlaces basis = basis_at(fraction);
-  std::array<double, kCount> there;
-  for (std::size_t k = 0; k < kCount; ++k) there[k] = sum_of_products(basis, values[k]);
-  return there;
-}
-
-}  // namespace
 
 double fraction_at(const Interval& interval, double elapsed) {
   if (elapsed <= 0.0) return 0.0;
@@ -39,6 +16,7 @@ double fraction_at(const Interval& interval, double elapsed) {
   std::size_t place = 1;
   while (reached[place] < elapsed) ++place;
   const AtPlaces& at = kNodeTables.place;
+  constexpr double kClosest = 1e-7;  // [θ]: Newton's method ends with a step below it, and errs by its square
   // Of the places around it the polynomial is close to a line.
   const double share = (elapsed - reached[place - 1]) / (reached[place] - reached[place - 1]);
   const auto late = [&](double fraction) {
@@ -46,7 +24,7 @@ double fraction_at(const Interval& interval, double elapsed) {
                                     sum_of_products(slope_basis_at(fraction), interval.time_slope)};
   };
   return integrate::newton_between(late, at[place - 1], at[place],
-                                   at[place - 1] + share * (at[place] - at[place - 1]), true, kClosestTime);
+                                   at[place - 1] + share * (at[place] - at[place - 1]), true, kClosest);
 }
 
 integrate::Sample largest_of(const AtPlaces& values, double from, double to, double known) {
@@ -76,45 +54,29 @@ double crossing(const AtPlaces& values, std::size_t place) {
   return integrate::root_between(value, at[place - 1], at[place], values[place - 1], values[place]);
 }
 
-Farthest farthest(const Interval& interval, double from, double to) {
+integrate::Sample farthest(const Interval& interval, double from, double to) {
   const Body& body = interval.shaft;
-  const PathAtPlaces path = path_at_places(body);
-  struct Swing {
-    double fraction;  ///< θ
-    double square;    ///< |z|² [m²]
-    double rate;      ///< z·z', half of its rate by τ [m²]
-  };
-  const auto at = [&](double fraction) {
-    const auto [x, y, vx, vy] = read(path, fraction);
-    return Swing{fraction, x * x + y * y, x * vx + y * vy};
-  };
-  // z·z' and its slope by θ.
-  const auto rate = [&](double fraction) {
-    const auto [x, y, vx, vy] = read(path, fraction);
-    const AtNodes slopes = slope_basis_at(fraction);
-    const double ax = sum_of_products(slopes, body.ax);
-    const double ay = sum_of_products(slopes, body.ay);
-    return integrate::ValueAndSlope{x * vx + y * vy, (vx * vx + vy * vy + x * ax + y * ay) *
-                                                         sum_of_products(slopes, interval.time_slope)};
-  };
-  Swing before = at(from);
-  Swing most = before;
-  const auto take = [&](const Swing& there) {
-    if (there.square > most.square) most = there;
-  };
-  const AtNodes& node = kNodeTables.node;
-  for (std::size_t i = 0; i < kNodes && before.fraction < to; ++i) {
-    if (node[i] <= from) continue;
-    const Swing after = at(std::min(node[i], to));
-    take(after);
-    if (before.rate > 0.0 && after.rate < 0.0) {
-      const double share = before.rate / (before.rate - after.rate);
-      const double guess = before.fraction + share * (after.fraction - before.fraction);
-      take(at(integrate::newton_between(rate, before.fraction, after.fraction, guess, false, kClosestToTop)));
-    }
-    before = after;
+  const AtPlaces x = at_places(body.start[0], body.x);
+  const AtPlaces y = at_places(body.start[1], body.y);
+  const AtPlaces vx = at_places(body.start[2], body.vx);
+  const AtPlaces vy = at_places(body.start[3], body.vy);
+  AtPlaces squares, rates;  // |z|², and half of its rate by τ
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    squares[i] = x[i] * x[i] + y[i] * y[i];
+    rates[i] = x[i] * vx[i] + y[i] * vy[i];
   }
-  return {most.fraction, std::sqrt(most.square)};
+  integrate::Sample most{from, sum_of_products(basis_at(from), squares)};
+  const auto take = [&](double fraction) {
+    if (!(from < fraction && fraction <= to)) return;
+    const double square = sum_of_products(basis_at(fraction), squares);
+    if (square > most.value) most = {fraction, square};
+  };
+  take(to);
+  for (std::size_t i = 1; i < kPlaces; ++i) {
+    take(kNodeTables.place[i]);
+    if (rates[i - 1] > 0.0 && rates[i] < 0.0) take(crossing(rates, i));
+  }
+  return {most.argument, std::sqrt(most.value)};
 }
 
 TipCourse course_of_tip(const Machine& machine, const Interval& interval, const Blade& blade,

@@ -20,12 +20,8 @@ integrate::Sample largest_of(const AtPlaces& values, double from, double to, dou
 /// θ just before a place by which values have become negative where they pass through zero.
 double crossing(const AtPlaces& values, std::size_t place);
 
-/// Where |z| is largest between two places θ.
-struct Farthest {
-  double fraction;      ///< θ
-  double displacement;  ///< |z| [m], as the interval's polynomials have it
-};
-Farthest farthest(const Interval& interval, double from, double to);
+/// θ and |z| [m] where |z| is largest between two places θ.
+integrate::Sample farthest(const Interval& interval, double from, double to);
 
 /// g [m²] of the tip of a straight blade at the places, and half of dg/dτ (MODEL 2). `offset`: cosine and
 /// sine of the blade's angle from the leading one.

@@ -62,7 +62,7 @@ TEST(IntervalSamples, TheLargestDisplacementIsFoundWhereverItLies) {
       };
       for (const double from : {0.0, 0.1, 0.51}) {
         for (const double to : {1.0, 0.95, 0.52}) {
-          EXPECT_NEAR(farthest(interval, from, to).displacement, expected(from, to), 1e-14)
+          EXPECT_NEAR(farthest(interval, from, to).value, expected(from, to), 1e-14)
               << "top at " << top << " of " << from << " to " << to;
         }
       }
