@@ -56,28 +56,25 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
     look(Guard::fold, leads.number, sum_of_products(kNodeTables.value_at_start, interval.time_slope),
          interval.time_slope, 1.0, count);
   if (leans_) look(Guard::chart_end, leads.number, leads.start_chart_left, leads.chart_left, 1.0);
-  // `least`: bound of |v| in the interval.
-  const auto look_at_slip = [&](const TipInTime& tip, double least) {
-    if (tip.straight || tip.skims)
-      look(Guard::pressed_in, tip.number, tip.start_cone_left, tip.cone_left, 1.0);
-    if (tip.slip == 0.0) look(Guard::loosening, tip.number, tip.start_cone_left, tip.cone_left, 1.0);
-    if (!reverses(tip.slip) || least > 0.0) return;
-    const double sign = std::copysign(1.0, tip.start_slip_velocity);
-    AtNodes velocity = tip.slip_velocity;
-    if (slips_from_zero(tip.start_slip_velocity)) {
-      for (double& v : velocity.value) v = std::abs(v) > slip_rounding() ? v : tip.start_slip_velocity;
-    }
-    look(Guard::slip_reversal, tip.number, tip.start_slip_velocity, velocity, sign);
-  };
-  for (std::size_t k = 0; k < tips_.size(); ++k)
-    look_at_slip(interval.tips[k], bounds_.tips[k].slip_velocity);
   const auto look_at_validity = [&](Guard guard, int blade) {
     const Quantity left = validity_left(interval, guard, blade);
     look(guard, blade, left.start, left.nodes, 1.0);
   };
   for (std::size_t k = 0; k < tips_.size(); ++k) {
-    if (!(bounds_.tips[k].shortening < valid_shortening(tips_[k].number)))
-      look_at_validity(Guard::shortening_limit, tips_[k].number);
+    const TipInTime& tip = interval.tips[k];
+    const Bounds::OfTip& bounds = bounds_.tips[k];
+    if (tip.straight || tip.skims)
+      look(Guard::pressed_in, tip.number, tip.start_cone_left, tip.cone_left, 1.0);
+    if (tip.slip == 0.0) look(Guard::loosening, tip.number, tip.start_cone_left, tip.cone_left, 1.0);
+    if (!(bounds.shortening < valid_shortening(tip.number)))
+      look_at_validity(Guard::shortening_limit, tip.number);
+    if (!reverses(tip.slip) || bounds.slip_velocity > 0.0) continue;
+    AtNodes velocity = tip.slip_velocity;
+    if (slips_from_zero(tip.start_slip_velocity)) {
+      for (double& v : velocity.value) v = std::abs(v) > slip_rounding() ? v : tip.start_slip_velocity;
+    }
+    look(Guard::slip_reversal, tip.number, tip.start_slip_velocity, velocity,
+         std::copysign(1.0, tip.start_slip_velocity));
   }
   if (!(bounds_.distance < machine().ring_radius)) look_at_validity(Guard::shaft_at_ring, kNoBlade);
   return first;
