@@ -33,7 +33,6 @@ ContactArc::ContactArc(const rotor::Machine& machine, Law& law, double tolerance
       allowed_(kBetweenNodes * rotor_->length_scale *
                std::pow(tolerance / rotor_->length_scale, Predictor::kOrder / kOrderAtEnd)),
       ring_keeps_load_(!law.ends_at_ring() && !law.is_rigid()),
-      leans_(law.leans()),
       earlier_(machine.ring_body() != nullptr, rotor_->length_scale) {
   law.take_machine(machine);
   for (int k = 0; k < blades_->count(); ++k) {
@@ -71,7 +70,7 @@ bool ContactArc::solve(Interval& interval, bool warm, double closest) {
   constexpr double kStepAtRest = 1e-5;
   constexpr double kStepToGuard = 1e-6;
   double step = std::numeric_limits<double>::infinity();
-  if (leans_ && std::ranges::count(tips_, 0.0, &TipStart::slip) > 0) step = kStepAtRest;
+  if (law_->leans() && std::ranges::count(tips_, 0.0, &TipStart::slip) > 0) step = kStepAtRest;
   if (std::isfinite(closest)) step = kStepToGuard;
   const bool solved = law_->solve(machine(), {velocity, warm, step}, interval);
   sweeps_ += static_cast<std::uint64_t>(interval.sweeps);
@@ -246,8 +245,8 @@ ContactArc::Outcome ContactArc::make() {
     if (lead_changes_ == kMostLeadChanges && is_held_beyond_ring()) return end_at_once(Guard::fold, leader());
     // A tip that rests, and cannot be followed in the shortest of times, is about to lose its place. Whether
     // it does is seen where it leads; so is the fold of a tip whose friction turns round steeply.
-    if (leans_ && leading().slip == 0.0) return end_at_once(Guard::loosening, leader());
-    if (leans_ && tips_.size() > 1 && lead_changes_ < kMostLeadChanges) {
+    if (law_->leans() && leading().slip == 0.0) return end_at_once(Guard::loosening, leader());
+    if (law_->leans() && tips_.size() > 1 && lead_changes_ < kMostLeadChanges) {
       const auto resting = std::ranges::find(tips_, 0.0, &TipStart::slip);
       begin_anew(resting == tips_.end() ? 1 : static_cast<std::size_t>(resting - tips_.begin()));
       ++lead_changes_;
@@ -306,7 +305,7 @@ ContactArc::Outcome ContactArc::rebound() {
 bool ContactArc::is_met_at_once(const Ending& ending) const {
   switch (guard_of_tip(ending.guard)) {
     case Guard::slip_reversal:
-      if (!leans_) return false;  // it would reverse again at once
+      if (!law_->leans()) return false;  // it would reverse again at once
       break;
     case Guard::fold:  // it has been passed by what sweeps leave
     case Guard::loosening:

@@ -326,7 +326,6 @@ class ContactArc {
   std::vector<BladeStart> tips_;                     ///< where the next interval starts; the first leads
   double allowed_;        ///< error of a velocity between the nodes [m per unit τ]
   bool ring_keeps_load_;  ///< it yields to elastic blades in its own time
-  bool leans_;            ///< `Law::leans`
 
   bool begins_ = false;  ///< the next interval is the first of the contact
   Ending ending_;

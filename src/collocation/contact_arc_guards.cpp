@@ -55,7 +55,7 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
   if (may_fold)
     look(Guard::fold, leads.number, sum_of_products(kNodeTables.value_at_start, interval.time_slope),
          interval.time_slope, 1.0, count);
-  if (leans_) look(Guard::chart_end, leads.number, leads.start_chart_left, leads.chart_left, 1.0);
+  if (law_->leans()) look(Guard::chart_end, leads.number, leads.start_chart_left, leads.chart_left, 1.0);
   const auto look_at_validity = [&](Guard guard, int blade) {
     const Quantity left = validity_left(interval, guard, blade);
     look(guard, blade, left.start, left.nodes, 1.0);
@@ -174,7 +174,7 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
   constexpr double kCloser = 1e-3;      // than other guards, in θ
   const Guard guard = guard_of_tip(ending.guard);
   const bool loosens = guard == Guard::loosening;
-  const bool may_rest = leans_ && (loosens || guard == Guard::slip_reversal);
+  const bool may_rest = law_->leans() && (loosens || guard == Guard::slip_reversal);
   const double rounding = loosens ? std::numeric_limits<double>::epsilon() * machine().ring_radius
                                   : kToRounding * slip_rounding();
   const double closest = may_rest ? rounding : std::numeric_limits<double>::infinity();
@@ -210,7 +210,7 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
 /// unbends nothing holds it.
 ContactArc::Guard ContactArc::guard_of_tip(Guard guard) const {
   const bool is_end_of_branch = guard == Guard::fold || guard == Guard::unbent || guard == Guard::chart_end;
-  return leading().slip == 0.0 && leans_ && is_end_of_branch ? Guard::loosening : guard;
+  return leading().slip == 0.0 && law_->leans() && is_end_of_branch ? Guard::loosening : guard;
 }
 
 /// The end of an interval: of the contact, or at a touch-down, to rounding, where one ends it.

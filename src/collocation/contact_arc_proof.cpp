@@ -31,7 +31,7 @@ bool ContactArc::stays_valid(const Ending& ending) const {
     if (!stays_short || !keeps_slip(tips_[k], bounds_.tips[k].slip_velocity)) return false;
   }
   if (!(bounds_.cone_left > 0.0)) return false;
-  return !leans_ || (bounds_.time_slope > 0.0 && bounds_.chart_left > 0.0);
+  return !law_->leans() || (bounds_.time_slope > 0.0 && bounds_.chart_left > 0.0);
 }
 
 /// Whether another tip does not touch within an interval: its gap [m²] stays below what is allowed, or, where
@@ -48,7 +48,7 @@ bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) 
 /// error between the nodes where there can be no fold, is taken for one.
 bool ContactArc::is_next_to_unbent(const Interval& interval) const {
   constexpr double kNear = 0.03;
-  if (leans_ && !(interval.leader().lean.at_end() > 0.0)) return false;  // it is bent against its load
+  if (law_->leans() && !(interval.leader().lean.at_end() > 0.0)) return false;  // it is bent against its load
   const double argument = interval.argument.at_end();
   // A column that may stand straight bends from above the ring, where a fold may be one; a blade whose p
   // grows does not unbend.

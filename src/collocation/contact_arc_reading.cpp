@@ -148,7 +148,7 @@ Law::Tangent ContactArc::direction_at(double fraction) const {
   const AtNodes basis = slope_basis_at(fraction);
   Law::Tangent tangent{sum_of_products(basis, made().time_slope),
                        sum_of_products(basis, made().argument_slope), 0.0};
-  if (leans_) {
+  if (law_->leans()) {
     const TipInTime& leading = made().leader();
     AtNodes slopes{};
     for (std::size_t j = 0; j < kNodes; ++j) {

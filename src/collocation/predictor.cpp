@@ -98,7 +98,7 @@ void Predictor::begin_under_load(const Start& start, double half) {
   const std::complex<double> acceleration =
       (start.acceleration.shaft - start.acceleration.ring) * std::complex<double>(er.cosine, -er.sine);
   const Law::Tangent tangent = law_->tangent(start.touch, {start.pose, start.angular_speed}, acceleration);
-  rests_ = leans_ && start.touch.slip == 0.0;
+  rests_ = law_->leans() && start.touch.slip == 0.0;
   if (rests_) {
     longest_unit_ = time_unit_;
     time_unit_ = unit_at_rest(tangent.time, tangent.argument, tangent.lean);
@@ -212,7 +212,7 @@ void Predictor::guess(Interval& next) {
     const double sagitta = -0.5 * curvature_ * chord * chord;
     for (std::size_t i = 0; i < kNodes; ++i) next.deviation[i] = sagitta * node[i] * (1.0 - node[i]);
   }
-  if (!leans_) return;
+  if (!law_->leans()) return;
   const AtNodes elapsed = guessed_times(next);
   for (std::size_t i = 0; i < kNodes; ++i) next.leader().lean[i] = lean_.after(elapsed[i]);
 }
@@ -273,7 +273,7 @@ void Predictor::goes_on(const Interval& interval) {
   ring_ = at_end(interval.ring);
   curvature_ = curvature_after + (curvature_after - curvature_before) * after / (before + after);
   tangent_ = last[2].tangent;
-  if (leans_) lean_ = course_at_end(interval, interval.leader().lean);
+  if (law_->leans()) lean_ = course_at_end(interval, interval.leader().lean);
 }
 
 }  // namespace rubatlas::collocation

@@ -23,8 +23,7 @@ class Predictor {
   static constexpr double kUnknownError = std::numeric_limits<double>::infinity();
 
   /// Both must outlive the predictor.
-  Predictor(const rotor::Machine& machine, const Law& law)
-      : machine_(&machine), law_(&law), leans_(law.leans()) {}
+  Predictor(const rotor::Machine& machine, const Law& law) : machine_(&machine), law_(&law) {}
 
   /// Where a blade takes the lead.
   struct Start {
@@ -70,7 +69,6 @@ class Predictor {
 
   const rotor::Machine* machine_;
   const Law* law_;
-  bool leans_;
   double duration_ = 1.0;
   double time_unit_ = 1.0;         ///< T
   bool rests_ = false;             ///< the leading blade is elastic, and its tip at rest
