@@ -128,28 +128,28 @@ void LinearSupport::build_propagators() {
   }
 }
 
-LinearSupport::State LinearSupport::state(double start_time, const State& start, double elapsed) const {
-  State state = start;
+auto LinearSupport::phasors_at(double time, std::size_t count) const -> Phasors {
   Phasors phasors;
   phasors.first = 0;
-  phasors.count = terms_.size();
-  for (std::size_t j = 0; j < phasors.count; ++j) {
-    const double angle = terms_[j].frequency * start_time;
+  phasors.count = count;
+  for (std::size_t j = 0; j < count; ++j) {
+    const double angle = terms_[j].frequency * time;
     const double cosine = std::cos(angle);
     const double sine = std::sin(angle);
     const Complex amplitude = terms_[j].amplitude;
     phasors.real[j] = amplitude.real() * cosine - amplitude.imag() * sine;
     phasors.imaginary[j] = amplitude.real() * sine + amplitude.imag() * cosine;
   }
-  pass(elapsed, state, phasors);
-  return state;
+  return phasors;
 }
 
-LinearSupport::State LinearSupport::free(const State& start, double elapsed) const {
-  State state = start;
-  Phasors phasors;
-  phasors.first = 0;
-  phasors.count = 0;
+LinearSupport::State LinearSupport::moved(double time, State state, double elapsed, std::size_t terms) const {
+  // Propagators lead forward.
+  for (const double back = -0.5 * step_; elapsed <= back; elapsed -= back, time += back) {
+    Phasors phasors = phasors_at(time, terms);
+    advance_within_step(back, state, phasors);
+  }
+  Phasors phasors = phasors_at(time, terms);
   pass(elapsed, state, phasors);
   return state;
 }

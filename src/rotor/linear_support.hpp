@@ -45,12 +45,14 @@ class LinearSupport {
   LinearSupport(const Eigen::Matrix2d& stiffness, const Eigen::Matrix2d& damping,
                 std::span<const HarmonicForcing> forcing);
 
-  /// Motion at `start_time` + `elapsed` (>= 0, finite) from `start` at `start_time` (τ); exact to a few
-  /// roundings of the largest motion on the way.
-  [[nodiscard]] State state(double start_time, const State& start, double elapsed) const;
+  /// Motion at `start_time` + `elapsed` (finite) from `start` at `start_time` (τ); exact to a few roundings
+  /// of the largest motion on the way. Back, where `elapsed` is negative, it goes in many small steps.
+  [[nodiscard]] State state(double start_time, const State& start, double elapsed) const {
+    return moved(start_time, start, elapsed, terms_.size());
+  }
 
   /// The same without forcing.
-  [[nodiscard]] State free(const State& start, double elapsed) const;
+  [[nodiscard]] State free(const State& start, double elapsed) const { return moved(0.0, start, elapsed, 0); }
 
   /// The response from rest to each forcing, on the real and imaginary part of its F e^{iντ} at the start.
   [[nodiscard]] std::vector<Eigen::Matrix<double, 4, 2>> from_rest(double elapsed) const;
@@ -93,7 +95,9 @@ class LinearSupport {
   };
 
   void build_propagators();
-  /// Goes on by a time.
+  [[nodiscard]] Phasors phasors_at(double time, std::size_t count) const;
+  [[nodiscard]] State moved(double time, State state, double elapsed, std::size_t terms) const;
+  /// Goes on by a time of more than −h/2.
   void pass(double elapsed, State& state, Phasors& phasors) const;
   void advance(std::size_t entry, State& state, Phasors& phasors) const;
   void advance_within_step(double time, State& state, Phasors& phasors) const;
