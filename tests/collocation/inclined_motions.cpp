@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <random>
 #include <vector>
 
@@ -63,14 +62,11 @@ KickedRotor kicked_rotor(std::mt19937_64& generator, contact::LoadDirection dire
   const double damping = std::pow(10.0, between(-2.5, -0.3));
   const int count = fewest + static_cast<int>(between(0.0, 4.0));
   const contact::Friction of_tips = make_friction(friction);
-  const auto curve = direction == contact::LoadDirection::axial && of_tips.has_slip_state()
-                         ? std::make_shared<const blade::ElasticaCurve>(friction)
-                         : nullptr;
   std::vector<contact::DirectedElastica> laws;
   for (int k = 0; k < count; ++k) {
     const double length = 0.1 + between(-1e-4, 1e-4);
     laws.emplace_back(direction, contact::Geometry{length, 0.11},
-                      contact::ElasticaContact::Blade{length, thickness, stiffness}, of_tips, curve);
+                      contact::ElasticaContact::Blade{length, thickness, stiffness}, of_tips);
   }
   const double moment = std::pow(10.0, between(-5.0, -3.0));
   const double ripple = between(0.0, 0.05);
