@@ -198,7 +198,8 @@ TEST(LinearSupport, TwoFlightsInARowAreOne) {
 
 TEST(LinearSupport, FlightBackComesFromWhereItHasStarted) {
   const Matrix2d damping = 0.2 * Matrix2d::Identity();
-  const LinearSupport support(Matrix2d::Identity() + cross_coupling(0.3), damping, {{{{1e-3, 2.2}}}});
+  const LinearSupport support(Matrix2d::Identity() + cross_coupling(0.3), damping,
+                              std::vector{HarmonicForcing{1e-3, 2.2}});
   for (const double elapsed : {1e-3, 0.04, 0.7, 3.0}) {
     const State end = support.state(0.4, kStart, elapsed);
     EXPECT_LE((support.state(0.4 + elapsed, end, -elapsed) - kStart).norm(), 1e-15) << elapsed;
