@@ -19,7 +19,7 @@ namespace rubatlas::assembly {
 std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request, modes::MakePhases* make_phases) {
   return point::solver_of_motions(
       request.line,
-      [line = request.line, law = std::shared_ptr<const modes::Law>(law_of(request)), make_phases](
+      [line = request.line, law = std::shared_ptr<const collocation::Law>(law_of(request)), make_phases](
           double speed_ratio, std::span<const double> lost) -> std::unique_ptr<motion::PointMotion> {
         rotor::Machine machine = variation::machine_of(line, speed_ratio);
         // No step can be closer than positions are rounded: a clearance of nanometres asks for more.

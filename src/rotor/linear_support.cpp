@@ -144,7 +144,10 @@ auto LinearSupport::phasors_at(double time, std::size_t count) const -> Phasors 
 }
 
 LinearSupport::State LinearSupport::moved(double time, State state, double elapsed, std::size_t terms) const {
-  // Propagators lead forward.
+  // Propagators lead forward. So many steps back take some 0.2 s.
+  constexpr double kMostBack = 0x1p20;
+  if (-elapsed * steps_per_time_ > kMostBack)
+    return State::Constant(std::numeric_limits<double>::quiet_NaN());
   for (const double back = -0.5 * step_; elapsed <= back; elapsed -= back, time += back) {
     Phasors phasors = phasors_at(time, terms);
     advance_within_step(back, state, phasors);

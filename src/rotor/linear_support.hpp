@@ -46,7 +46,8 @@ class LinearSupport {
                 std::span<const HarmonicForcing> forcing);
 
   /// Motion at `start_time` + `elapsed` (finite) from `start` at `start_time` (τ); exact to a few roundings
-  /// of the largest motion on the way. Back, where `elapsed` is negative, it goes in many small steps.
+  /// of the largest motion on the way. Back, where `elapsed` is negative, it goes in small steps, and
+  /// farther than 2^20 of them the motion is not a number.
   [[nodiscard]] State state(double start_time, const State& start, double elapsed) const {
     return moved(start_time, start, elapsed, terms_.size());
   }

@@ -205,6 +205,7 @@ TEST(LinearSupport, FlightBackComesFromWhereItHasStarted) {
     EXPECT_LE((support.state(0.4 + elapsed, end, -elapsed) - kStart).norm(), 1e-15) << elapsed;
     EXPECT_LE((support.free(support.free(kStart, elapsed), -elapsed) - kStart).norm(), 1e-15) << elapsed;
   }
+  EXPECT_FALSE(support.state(0.0, kStart, -1e6).allFinite()) << "so far back would take for ever";
 }
 
 TEST(LinearSupport, RevolutionContractsPhaseVolumeByTheTraceOfDamping) {
