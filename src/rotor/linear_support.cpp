@@ -148,9 +148,12 @@ LinearSupport::State LinearSupport::moved(double time, State state, double elaps
   constexpr double kMostBack = 0x1p20;
   if (-elapsed * steps_per_time_ > kMostBack)
     return State::Constant(std::numeric_limits<double>::quiet_NaN());
-  for (const double back = -0.5 * step_; elapsed <= back; elapsed -= back, time += back) {
+  const double back = -0.5 * step_;
+  while (elapsed <= back) {
     Phasors phasors = phasors_at(time, terms);
     advance_within_step(back, state, phasors);
+    time += back;
+    elapsed -= back;
   }
   Phasors phasors = phasors_at(time, terms);
   pass(elapsed, state, phasors);
