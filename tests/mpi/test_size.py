@@ -35,10 +35,9 @@ def finish_every_other_point(atlas):
             row += np.full(file[name].shape[5:], value, file[name].dtype).tobytes()
         status = np.zeros(file["status"].size, np.uint8)
         status[::2] = 1
-        file["restarted"][...] = 0
-        file["final_state"][...] = 0.0
-        file["spectrum"][...] = 0.0
-        file["row_checksum"][...] = zlib.crc32(row)
+        # As whole arrays: a number alone h5py writes row by row.
+        for name, value in (("restarted", 0), ("final_state", 0), ("spectrum", 0), ("row_checksum", zlib.crc32(row))):
+            file[name][...] = np.full(file[name].shape, value)
         file["status"][...] = status.reshape(file["status"].shape)
         return np.count_nonzero(status)
 
