@@ -97,7 +97,7 @@ class Outcomes(JobTest):
 
     def test_ranks_that_wait_do_not_burn_their_cores(self):
         # One line keeps one rank busy, whatever their number. A spinning rank would cost as much as the busy one.
-        content = long_scene(sweep="up", transient_revolutions=3000)
+        content = long_scene(sweep="up", transient_revolutions=1000)
         content["grid"]["damping_ratio"] = 0.1
 
         def processor_seconds(ranks):
