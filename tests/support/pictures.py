@@ -30,6 +30,7 @@ class Figure:
                 contextlib.redirect_stdout(io.StringIO()):
             module.main([*map(str, arguments), "-o", "none.png"])
         self.figure = caught[0]
+        self.figure.set_layout_engine("none")  # its panels are placed in other tests; it takes longer than to draw
         style.plt.close(self.figure)  # pyplot forgets it
 
     def texts(self):
