@@ -145,18 +145,24 @@ def _wrap(text, excess):
 
 
 def wrap_words(made):
-    """Breaks the lines of titles and labels that would be cut; the picture becomes taller by the lines of titles."""
+    """Breaks the lines of titles and labels that would be cut; the picture becomes taller by the lines of titles. What
+    has been measured stays in its place where no line is broken: to place it again takes as long as to draw it."""
     # Places what is measured, as drawing it would.
     made.get_layout_engine().execute(made)
     for axes in made.axes:
         axes.apply_aspect()
     titles = [made._suptitle, made._supxlabel, *(axes._left_title for axes in made.axes)]
+    broken = 0
     for text in [text for text in titles if text is not None]:
         more = _wrap(text, lambda text=text: text.get_window_extent().x1 - made.bbox.x1 + 4.0)
         made.set_figheight(made.get_figheight() + 1.2 * more * text.get_fontsize() / 72.0)
+        broken += more
     for axes in made.axes:
         room = axes.bbox.height + axes.yaxis.label.get_fontsize()  # it may reach half into the space between panels
-        _wrap(axes.yaxis.label, lambda axes=axes, room=room: axes.yaxis.label.get_window_extent().height - room)
+        broken += _wrap(axes.yaxis.label,
+                        lambda axes=axes, room=room: axes.yaxis.label.get_window_extent().height - room)
+    if not broken:
+        made.set_layout_engine("none")
 
 
 def columns_of(panel, handles):
