@@ -31,6 +31,13 @@ def study_with(**data):
 
 
 class ToolsAccuracy(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.drawn = pathlib.Path(folder.name)
+        cls.ended = run(TINY / "accuracy.h5", "-o", cls.drawn, "--reference", ORBITS)
+
     def setUp(self):
         self.temporary = tempfile.TemporaryDirectory()
         self.folder = pathlib.Path(self.temporary.name)
@@ -39,22 +46,21 @@ class ToolsAccuracy(unittest.TestCase):
         self.temporary.cleanup()
 
     def test_both_diagrams_are_drawn_and_the_table_is_printed(self):
-        ended = run(TINY / "accuracy.h5", "-o", self.folder, "--reference", ORBITS)
+        ended = self.ended
         self.assertEqual((ended.returncode, ended.stderr), (0, ""))
         self.assertIn("| tolerance | trajectory error / δc | against the reference data |", ended.stdout)
         self.assertRegex(ended.stdout, r"\n\| 1e-07 \| \d")
         self.assertRegex(ended.stdout, r"\n\| `hybrid` \| tolerance 1e-0[79] \|")
         for name in ("accuracy.png", "accuracy_map.png"):
-            pixels = style.plt.imread(self.folder / name)[:, :, :3]
+            pixels = style.plt.imread(self.drawn / name)[:, :, :3]
             self.assertTrue(0.01 < np.mean(np.any(pixels != 1.0, axis=2)) < 0.95, name)
 
     def test_the_same_study_gives_the_same_bytes_and_its_table_replaces_the_one_on_the_page_and_nothing_else(self):
         page = self.folder / "page.md"
         page.write_text(f"before\n{accuracy.BEGIN}\nold\n{accuracy.END}\nafter\n")
-        run(TINY / "accuracy.h5", "-o", self.folder / "a")
-        ended = run(TINY / "accuracy.h5", "-o", self.folder / "b", "--page", page)
+        ended = run(TINY / "accuracy.h5", "-o", self.folder, "--reference", ORBITS, "--page", page)
         for name in ("accuracy.png", "accuracy_map.png"):
-            self.assertEqual((self.folder / "a" / name).read_bytes(), (self.folder / "b" / name).read_bytes())
+            self.assertEqual((self.drawn / name).read_bytes(), (self.folder / name).read_bytes())
         self.assertEqual(page.read_text(), f"before\n{accuracy.BEGIN}\n{ended.stdout}{accuracy.END}\nafter\n")
 
     def test_errors_against_the_tightest_run_are_those_against_the_reference_data(self):
