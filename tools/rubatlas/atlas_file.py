@@ -134,11 +134,14 @@ class _Examination:
 
     def __init__(self, path, file):
         self.path, self.file = path, file
+        self.examined = {}  # datasets by name: of scales there are few, and many run along them
 
     def refuse(self, fact):
         raise AtlasError(f"{self.path}: {fact}; the file is damaged, or not one of rubatlas")
 
     def dataset(self, name):
+        if name in self.examined:
+            return self.examined[name]
         link = self.file.get(name, getlink=True)
         if link is None:
             self.refuse(f"/{name} is missing")
@@ -147,21 +150,23 @@ class _Examination:
         dataset = self.file[name]
         if dataset.external or dataset.is_virtual:
             self.refuse(f"/{name} keeps its numbers in another file")
+        self.examined[name] = dataset
         return dataset
 
     def scale(self, dataset, dimension):
         """Name of the scale that an axis of a dataset runs along, of the axis' length."""
-        name = dataset.name.strip("/")
+        scales = dataset.dims[dimension]
         try:
-            scales = [scale for scale in dataset.dims[dimension].values() if scale.name]
+            names = [name for place in range(len(scales)) if (name := scales[place].name)]
         except UNREADABLE:  # it was taken out of the file
-            scales = []
-        if not scales:
-            self.refuse(f"axis {dimension} of /{name} has no scale")
-        scale = self.dataset(scales[0].name.strip("/"))
-        if scale.shape != (dataset.shape[dimension],):
-            self.refuse(f"/{name} is {dataset.shape[dimension]} long where its scale {scale.name} is {scale.shape}")
-        return scale.name.strip("/")
+            names = []
+        if not names:
+            self.refuse(f"axis {dimension} of {dataset.name} has no scale")
+        name = names[0].strip("/")
+        length, shape = dataset.shape[dimension], self.dataset(name).shape
+        if shape != (length,):
+            self.refuse(f"{dataset.name} is {length} long where its scale /{name} is {shape}")
+        return name
 
     def numbers(self, name, axes):
         """A dataset with a row per point: its kind, and its axes."""
