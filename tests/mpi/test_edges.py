@@ -67,7 +67,7 @@ class Edges(EdgesTest):
                               ("independent", short(sweep="independent")),
                               ("wear", short(wear={"rate": 1e-6, "carries_over": True}))):
             with self.subTest(scene=name):
-                atlas = self.fill(2, content, f"{name}.h5")
+                atlas = self.whole(content)
                 before = atlas.read_bytes()
                 alone = self.edges(None, atlas, f"{name}0.h5", "--to", "1e-4")
                 self.assertLessEqual({0, 1}, set(self.rows(alone)["line"]), "lines of both damping ratios have edges")
@@ -79,7 +79,7 @@ class Edges(EdgesTest):
 
     def test_sweeps_up_and_down_start_from_the_side_they_come_from(self):
         # Both sides of each edge are the classes of its line's own points of the grid.
-        atlas = self.fill(2, short(sweep="both"))
+        atlas = self.whole(short(sweep="both"))
         found = self.rows(self.edges(2, atlas, "edges.h5", "--to", "1e-4"))
         maps = self.directory / "maps.h5"
         self.assertEqual(self.execute(None, "analyse", atlas, "--edges", "edges.h5", "-o", maps).returncode, 0)
