@@ -19,6 +19,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # library checks its indices.
 there_alone=(settings plan atlas analysis)
 sanitized_suites=("${there_alone[@]}")
+level=-O0  # no time is spent in them; what moves is only linked
 plain=yes
 sanitized=no
 systems=no
@@ -34,6 +35,7 @@ case "$#,${1-}" in
   1,--full)
     sanitized=yes
     leave_out='no such label'
+    level=-O1
     sanitized_suites+=(assembly blade contact rotor integrate observables collocation point physics hard effects)
     systems=yes
     ;;
@@ -77,7 +79,7 @@ fi
 if [ "$sanitized" = yes ]; then
   say "Build with address and undefined-behaviour sanitizers, in build-sanitize/"
   # Clang: a second compiler's opinion, in less than half of GCC's time under sanitizers.
-  configure build-sanitize -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 \
+  configure build-sanitize -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=$level" \
     -DRUBATLAS_SANITIZE=address,undefined
   # It compiles while the tests below wait for events, and gives way to them wherever they do not.
   nice -n 19 cmake --build build-sanitize --parallel "$(nproc)" --target "${sanitized_suites[@]/#/test_}" \
