@@ -30,6 +30,7 @@ ContactArc::ContactArc(const rotor::Machine& machine, Law& law, double tolerance
       machine_(machine, law.geometry(0).ring_radius),
       solver_(interval_solver()),
       predictor_(machine, law),
+      straight_tips_(machine, law),
       allowed_(kBetweenNodes * rotor_->length_scale *
                std::pow(tolerance / rotor_->length_scale, Predictor::kOrder / kOrderAtEnd)),
       ring_keeps_load_(!law.ends_at_ring() && !law.is_rigid()),

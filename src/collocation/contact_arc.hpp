@@ -32,6 +32,7 @@
 #include "collocation/law.hpp"
 #include "collocation/machine_in_time.hpp"
 #include "collocation/predictor.hpp"
+#include "collocation/straight_tips.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 
@@ -192,10 +193,9 @@ class ContactArc {
   void predict(const Touch& touch, const contact::Pose& there);
   void set_out(TipStart& tip, const std::complex<double>& acceleration) const;
   void set_out_as_solved();
-  [[nodiscard]] double slip_acceleration(int blade, const Point& point,
-                                         const std::complex<double>& acceleration) const;
-  [[nodiscard]] std::complex<double> tangent(int blade, const Point& point) const;
-  void hold(std::span<Touch> touching, const Point& point) const;
+  [[nodiscard]] static rotor::ContactState state_at(const Point& point) {
+    return rotor::full_state(point.bodies, point.time, 0.0);
+  }
   void skim(std::span<Touch> touching, const Point& point) const;
   [[nodiscard]] int skimming_blade() const;
   /// Where a blade in contact stands in `tips_`.
@@ -321,6 +321,7 @@ class ContactArc {
   std::vector<Blade> numbers_;  ///< of the blades
   IntervalSolver solver_;
   Predictor predictor_;
+  StraightTips straight_tips_;
   std::vector<contact::BladeDirection> from_first_;  ///< of the blades from the place of blade 0
   std::vector<int> others_;                          ///< blades that do not touch
   std::vector<BladeStart> tips_;                     ///< where the next interval starts; the first leads

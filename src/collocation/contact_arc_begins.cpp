@@ -51,7 +51,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   start_.bending = law_->lead(touching[leader]);
   if (law_->is_rigid() && std::ranges::count(touching, 0.0, &Touch::slip) > 0) {
     held.assign(touching.begin(), touching.end());
-    hold(held, start_);
+    straight_tips_.hold(state_at(start_), held);
     touching = held;
   }
   er_ = direction(leads, time);

@@ -171,7 +171,7 @@ Touch ContactArc::touch_of(int blade, const Point& point) const {
   const TipStart& tip = tips_[number_of(blade)];
   if (tip.slip != 0.0 || !law_->is_rigid()) return law_->touch(tip, bending_of(blade, point));
   std::vector<Touch> touching = touching_at(point);
-  hold(touching, point);
+  straight_tips_.hold(state_at(point), touching);
   return *std::ranges::find(touching, blade, &Touch::blade);
 }
 

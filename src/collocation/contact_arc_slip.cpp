@@ -1,15 +1,14 @@
 // How tips set out to slip, and what holds straight ones at rest.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <vector>
 
 #include "collocation/contact_arc.hpp"
-#include "contact/sticking.hpp"
 #include "rotor/skimming.hpp"
 
 namespace rubatlas::collocation {
@@ -19,7 +18,7 @@ namespace rubatlas::collocation {
 void ContactArc::set_out(TipStart& tip, const std::complex<double>& acceleration) const {
   if (tip.slip == 0.0 || std::abs(tip.start_slip_velocity) > slip_rounding()) return;
   const double ahead = law_->may_slip_back() && is_straight(tip.number)
-                           ? slip_acceleration(tip.number, end_, acceleration)
+                           ? straight_tips_.slip_acceleration(tip.number, state_at(end_), acceleration)
                            : tip.slip;
   tip.start_slip_velocity = std::copysign(std::numeric_limits<double>::min(), ahead);
 }
@@ -42,49 +41,9 @@ void ContactArc::set_out_as_solved() {
   }
 }
 
-/// dv/dτ of a straight tip under an acceleration of the shaft, seen from the ring.
-double ContactArc::slip_acceleration(int blade, const Point& point,
-                                     const std::complex<double>& acceleration) const {
-  const contact::BladeDirection er = direction(blade, point.time);
-  const contact::Geometry geometry = law_->geometry(blade);
-  const std::complex<double> seen = acceleration * std::complex<double>(er.cosine, -er.sine);
-  const double turning = geometry.reach * blades_->angular_acceleration(point.time);
-  return contact::slip_acceleration(geometry, pose(blade, point), blades_->angular_speed(point.time),
-                                    {seen.real(), seen.imag() + turning});
-}
-
-/// Direction of the slip of a straight tip.
-std::complex<double> ContactArc::tangent(int blade, const Point& point) const {
-  const contact::BladeDirection er = direction(blade, point.time);
-  return contact::tangent(law_->geometry(blade), pose(blade, point)) *
-         std::complex<double>(er.cosine, er.sine);
-}
-
-/// Finds c of rigid tips at rest among all that touch: those that take away dv/dτ of each.
-void ContactArc::hold(std::span<Touch> touching, const Point& point) const {
-  std::complex<double> sum;
-  for (Touch& touch : touching) {
-    touch.holding = 0.0;
-    sum += contact::on_rotor(force(touch, point), direction(touch.blade, point.time));
-  }
-  const std::complex<double> acceleration =
-      whole_->acceleration(rotor::full_state(point.bodies, point.time, 0.0), sum).shaft;
-  std::array<contact::AtRest, contact::kMostAtRest> tips{};
-  std::array<Touch*, contact::kMostAtRest> touches{};
-  std::size_t count = 0;
-  for (Touch& touch : touching) {
-    if (touch.slip != 0.0 || count == contact::kMostAtRest) continue;
-    touches[count] = &touch;
-    tips[count++] = {tangent(touch.blade, point), slip_acceleration(touch.blade, point, acceleration)};
-  }
-  contact::share_out(std::span(tips).first(count));
-  for (std::size_t i = 0; i < count; ++i)
-    touches[i]->holding = tips[i].pull / (force(*touches[i], point).normal * rotor_->force_unit);
-}
-
 /// Finds λ of the tip that skims, under the forces of the others.
 void ContactArc::skim(std::span<Touch> touching, const Point& point) const {
-  const rotor::ContactState state = rotor::full_state(point.bodies, point.time, 0.0);
+  const rotor::ContactState state = state_at(point);
   Touch& skims = *std::ranges::find(touching, true, &Touch::skims);
   std::complex<double> others;
   for (const Touch& touch : touching) {
@@ -109,23 +68,14 @@ int ContactArc::skimming_blade() const {
 /// its sign would be taken for that of what follows.
 void ContactArc::bring_to_rest(int reversed) {
   if (reversed == kNoBlade && leading().slip != 0.0 && tips_.size() == 1) return;
-  std::array<contact::AtRest, contact::kMostAtRest> tips{};
-  std::size_t count = 0;
-  const auto take = [&](int blade) {
-    if (count == contact::kMostAtRest) return;
-    const double v = contact::undeformed_slip_velocity(law_->geometry(blade), pose(blade, end_),
-                                                       blades_->angular_speed(end_.time));
-    tips[count++] = {tangent(blade, end_), v};
-  };
+  std::vector<int> tips;
   for (const BladeStart& tip : tips_) {
-    if (tip.slip == 0.0 && tip.number != reversed && is_straight(tip.number)) take(tip.number);
+    if (tip.slip == 0.0 && tip.number != reversed && is_straight(tip.number)) tips.push_back(tip.number);
   }
-  if (reversed != kNoBlade) take(reversed);
-  contact::share_out(std::span(tips).first(count));
-  for (std::size_t i = 0; i < count; ++i) {
-    end_.bodies[2] -= tips[i].pull * tips[i].tangent.real();
-    end_.bodies[3] -= tips[i].pull * tips[i].tangent.imag();
-  }
+  if (reversed != kNoBlade) tips.push_back(reversed);
+  rotor::ContactState state = state_at(end_);
+  straight_tips_.bring_to_rest(tips, state);
+  end_.bodies = rotor::bodies(state);
 }
 
 }  // namespace rubatlas::collocation

@@ -82,7 +82,7 @@ class RigidLaw final : public LawOfBlades<RigidLaw, contact::ElasticRingContact>
   }
 
   bool respond(const TipPlace& at, Touch& touch, contact::TipForce& force) const override {
-    force = of(touch.blade).force(at.pose, touch.slip, at.speed);
+    force = this->force(touch, at);
     return true;
   }
   [[nodiscard]] bool knows_rest() const override { return true; }

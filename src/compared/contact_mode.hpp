@@ -20,13 +20,13 @@
 #include <limits>
 #include <vector>
 
+#include "collocation/tip_places.hpp"
 #include "compared/guards.hpp"
 #include "compared/kind_of_law.hpp"
 #include "contact/tip.hpp"
 #include "modes/phase.hpp"
 #include "modes/rest_judge.hpp"
 #include "modes/seen_tip.hpp"
-#include "modes/tip_places.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
@@ -41,7 +41,7 @@ class ContactMode : public TipPlaces {
   using Bodies = rotor::ShaftAndRing;  ///< what moves, without time and u
 
   explicit ContactMode(const ContactSetup& setup)
-      : TipPlaces(setup), kind_(*law_), limits_(setup.limits), meter_(setup.meter) {
+      : TipPlaces(*setup.machine, *setup.law), kind_(*law_), limits_(setup.limits), meter_(setup.meter) {
     contacts_.reserve(static_cast<std::size_t>(blades().count()));
     forces_.reserve(static_cast<std::size_t>(blades().count()));
   }

@@ -15,7 +15,8 @@ namespace rubatlas::compared {
 /// ring are not degrees of freedom; they follow from the shaft's state.
 class FollowingRing : public Solved {
  public:
-  explicit FollowingRing(const modes::ContactSetup& setup) : Solved(setup), placer_(setup) {}
+  explicit FollowingRing(const modes::ContactSetup& setup)
+      : Solved(setup), placer_(*setup.machine, *setup.law) {}
   static constexpr bool kBendsFollowPath = false;
 
   bool operator()(const FullState& state, FullState& derivative) {

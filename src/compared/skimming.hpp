@@ -16,7 +16,7 @@ namespace rubatlas::compared {
 
 class Skimming : public Solved {
  public:
-  explicit Skimming(const modes::ContactSetup& setup) : Solved(setup), judge_(setup) {}
+  explicit Skimming(const modes::ContactSetup& setup) : Solved(setup), judge_(*setup.machine, *setup.law) {}
   static constexpr bool kBendsFollowPath = false;
 
   bool operator()(const FullState& state, FullState& derivative) {

@@ -1,64 +1,47 @@
 /// Mode: rigid blades of which one or two rest on the ring (`modes/rest_of_rigid_blades.hpp`).
 #pragma once
 
-#include <array>
-#include <complex>
 #include <cstddef>
-#include <span>
+#include <vector>
 
-#include "compared/contact_mode.hpp"
 #include "compared/guards.hpp"
-#include "contact/sticking.hpp"
+#include "compared/solved.hpp"
 #include "contact/tip.hpp"
 #include "modes/rest_of_rigid_blades.hpp"
 
 namespace rubatlas::compared {
 
-/// σ = τ. An open contact with slip 0 rests.
-class Sticking : public ContactMode<> {
+/// The equations of `Solved`, with the friction that holds the tips at rest: the open contacts with slip 0.
+class Sticking : public Solved {
  public:
-  explicit Sticking(const modes::ContactSetup& setup) : ContactMode(setup), rest_(setup) {}
+  explicit Sticking(const modes::ContactSetup& setup) : Solved(setup), rest_(*setup.machine, *setup.law) {}
+  static constexpr bool kBendsFollowPath = false;
 
   bool operator()(const FullState& state, FullState& derivative) {
-    ++evaluations_;
-    const modes::RestOfRigidBlades::Balance now = rest_.balance(state, contacts_);
-    for (std::size_t i = 0; i < contacts_.size(); ++i) forces_[i] = rest_.slipping(contacts_[i], state).force;
-    for (std::size_t i = 0; i < now.count; ++i) hold(now.at_rest[i], forces_[now.at_rest[i].contact]);
-    acceleration_ = {now.acceleration, 0.0};
-    derivative = rotor::full_state(rotor::rate_of(state, acceleration_), 1.0, 0.0);
-    return true;
+    rest_.hold(state, contacts_);
+    return Solved::operator()(state, derivative);
   }
 
   /// A tip at rest comes loose where it is positive.
   [[nodiscard]] double excess(std::size_t contact, const FullState& state) const {
-    return rest_.at_rest(state, contacts_, contacts_[contact]).excess();
+    return rest_.excess(state, held(contact, state));
   }
   [[nodiscard]] contact::TipForce force(std::size_t contact, const FullState& state) const {
-    const modes::OpenContact& open = contacts_[contact];
-    contact::TipForce result = rest_.slipping(open, state).force;
-    if (open.slip == 0.0) hold(rest_.at_rest(state, contacts_, open), result);
-    return result;
+    return law_->force(held(contact, state), tip_place(contacts_[contact].blade, state));
   }
   [[nodiscard]] double friction_of(std::size_t contact, const contact::TipForce& force,
                                    const FullState& state) const {
-    return contacts_[contact].slip == 0.0 ? rest_.at_rest(state, contacts_, contacts_[contact]).coefficient()
-                                          : ContactMode::friction_of(contact, force, state);
+    return contacts_[contact].slip == 0.0 ? held(contact, state).holding
+                                          : Solved::friction_of(contact, force, state);
   }
 
   /// Puts the tips at rest back to v = 0, the shortest way.
   void project(FullState& state) const {
-    std::array<contact::AtRest, contact::kMostAtRest> tips{};
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      if (contacts_[i].slip != 0.0) continue;
-      const auto at = rest_.slipping(contacts_[i], state);
-      tips[count++] = {rest_.at_rest(contacts_, i, at).tangent, at.force.slip_velocity};
+    std::vector<int> at_rest;
+    for (const modes::OpenContact& open : contacts_) {
+      if (open.slip == 0.0) at_rest.push_back(open.blade);
     }
-    contact::share_out(std::span(tips.data(), count));
-    for (const contact::AtRest& tip : std::span(tips.data(), count)) {
-      state[2] -= (tip.pull * tip.tangent).real();
-      state[3] -= (tip.pull * tip.tangent).imag();
-    }
+    rest_.bring_to_rest(at_rest, state);
   }
   void place(FullState& state) const { project(state); }
   template <class Step>
@@ -72,12 +55,11 @@ class Sticking : public ContactMode<> {
   }
 
  private:
-  /// Adds the friction that holds a tip to the force of its contact.
-  void hold(const modes::RestOfRigidBlades::AtRest& tip, contact::TipForce& force) const {
-    const std::complex<double> friction =
-        -tip.pull / rotor().force_unit * tip.tangent * std::conj(tip.direction);
-    force.radial += friction.real();
-    force.tangential += friction.imag();
+  /// A contact in a state, with the friction that holds its tip.
+  [[nodiscard]] modes::OpenContact held(std::size_t contact, const FullState& state) const {
+    std::vector<modes::OpenContact> contacts = contacts_;
+    rest_.hold(state, contacts);
+    return contacts[contact];
   }
 
   modes::RestOfRigidBlades rest_;

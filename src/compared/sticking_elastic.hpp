@@ -13,7 +13,8 @@ namespace rubatlas::compared {
 /// The equations of `Solved`. An open contact with slip 0 rests, and is found from its bending and amplitude.
 class StickingElastic : public Solved {
  public:
-  explicit StickingElastic(const modes::ContactSetup& setup) : Solved(setup), rest_(setup) {}
+  explicit StickingElastic(const modes::ContactSetup& setup)
+      : Solved(setup), rest_(*setup.machine, *setup.law) {}
   static constexpr bool kBendsFollowPath = false;
 
   /// A tip at rest comes loose where it is positive.

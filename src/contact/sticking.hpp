@@ -34,9 +34,8 @@ struct AtRest {
   double pull;                   ///< q of it alone, then of all that are kept at rest
 };
 /// The pulls along the tangents that take away the rates of all of them, which are the pulls that each would
-/// need if it were alone. `Tip`: has `tangent` and `pull`.
-template <class Tip>
-void share_out(std::span<Tip> tips) {
+/// need if it were alone.
+inline void share_out(std::span<AtRest> tips) {
   if (tips.size() != kMostAtRest) return;
   const std::complex<double> between = std::conj(tips[0].tangent) * tips[1].tangent;
   const double square = between.imag() * between.imag();

@@ -9,23 +9,23 @@ namespace rubatlas::modes {
 
 ContactModes::ContactModes(const rotor::Machine& machine, std::unique_ptr<Law> law,
                            const ContactLimits& limits, WorkMeter& meter, MakePhases* make_phases)
-    : TipPlaces({&machine, law.get(), limits, &meter}),
+    : TipPlaces(machine, *law),
       own_law_(std::move(law)),
       setup_{&machine, own_law_.get(), limits, &meter},
       make_phases_(make_phases) {
-  if (law_->may_skim()) skimming_judge_.emplace(setup_);
+  if (law_->may_skim()) skimming_judge_.emplace(machine, *law_);
   if (law_->sticks()) {
     if (law_->is_rigid())
-      judge_ = std::make_unique<RestOfRigidBlades>(setup_);
+      judge_ = std::make_unique<RestOfRigidBlades>(machine, *law_);
     else
-      judge_ = std::make_unique<RestOfElasticBlades>(setup_);
+      judge_ = std::make_unique<RestOfElasticBlades>(machine, *law_);
   }
   std::vector<contact::DirectedElastica> at_rest;
   for (int k = 0; k < machine.blades.count(); ++k) {
     if (auto law_of_rest = law_->law_of_rest(k)) at_rest.push_back(std::move(*law_of_rest));
   }
   if (!at_rest.empty()) tips_at_rest_.emplace(contact::UnequalBlades(std::move(at_rest)), setup_);
-  if (machine.following_ring() != nullptr) ring_placer_.emplace(setup_);
+  if (machine.following_ring() != nullptr) ring_placer_.emplace(machine, *law_);
 }
 
 bool ContactModes::let_go(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,

@@ -12,10 +12,10 @@
 
 #include "collocation/inclined_law.hpp"
 #include "modes/phase.hpp"
+#include "modes/rest_judge.hpp"
 #include "modes/rest_of_elastic_blades.hpp"
 #include "modes/ring_placer.hpp"
 #include "modes/skimming_judge.hpp"
-#include "modes/tip_places.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
@@ -89,7 +89,7 @@ class ContactModes : public TipPlaces {
     TipsAtRest(collocation::InclinedLaw::Blades blades, const ContactSetup& slipping)
         : law(std::move(blades), false),
           setup{slipping.machine, &law, slipping.limits, slipping.meter},
-          judge(setup) {}
+          judge(*slipping.machine, law) {}
     collocation::InclinedLaw law;
     ContactSetup setup;
     RestOfElasticBlades judge;  ///< points at the law

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collocation/law.hpp"
+#include "collocation/tip_places.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::modes {
@@ -13,6 +14,7 @@ namespace rubatlas::modes {
 using collocation::Law;
 using collocation::Standing;
 using collocation::TipPlace;
+using collocation::TipPlaces;
 
 /// A contact that is open: which blade, its slip direction, and what its blade's equilibrium is found from,
 /// all 0 where that is not known.

@@ -17,7 +17,6 @@
 
 #include "contact/directed_elastica.hpp"
 #include "modes/rest_judge.hpp"
-#include "modes/tip_places.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::modes {

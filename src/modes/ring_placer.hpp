@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "modes/tip_places.hpp"
+#include "modes/rest_judge.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::modes {

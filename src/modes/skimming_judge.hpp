@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "contact/tip.hpp"
-#include "modes/tip_places.hpp"
+#include "modes/rest_judge.hpp"
 #include "rotor/bodies.hpp"
 
 namespace rubatlas::modes {

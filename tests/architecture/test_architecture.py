@@ -10,7 +10,8 @@ ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 # The one table of who depends on whom, in the order of the flow: a folder sees itself and what stands here, a folder
 # with all that is in it or one header. The folder that it lies in stands for the files there, not for the folders
 # beside it.
-LAWS = [f"collocation/{name}.hpp" for name in ("law", "axial_law", "damped_law", "inclined_law", "rigid_law")]
+LAWS = [f"collocation/{name}.hpp" for name in ("law", "tip_places", "axial_law", "damped_law", "inclined_law",
+                                              "rigid_law")]
 MAY_INCLUDE = {
     "src/settings/effects": ["settings/range.hpp"],
     "src/settings": ["settings/effects"],

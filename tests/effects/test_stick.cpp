@@ -325,7 +325,7 @@ void expect_two_tips_at_rest(const HardRotor& rotor, const Blades& blades) {
   // Beyond the cone of both, one after the other is let go.
   std::vector<OpenContact> settled = contacts;
   const auto slippery = law_of(laws_of(sticking_law(rotor, 1e-9), rotor.blades));
-  modes::RestOfRigidBlades judge({&machine, slippery.get(), rotor.limits(), &meter});
+  modes::RestOfRigidBlades judge(machine, *slippery);
   EXPECT_TRUE(judge.settle(state, settled));
   for (const OpenContact& contact : settled) EXPECT_EQ(std::abs(contact.slip), 1.0);
 }

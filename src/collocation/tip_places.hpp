@@ -1,18 +1,18 @@
-/// Where the tips of a motion's blades stand in a state between or within modes.
+/// Where the tips of blades stand in a state between or within contacts.
 #pragma once
 
+#include "collocation/law.hpp"
 #include "contact/pose.hpp"
-#include "modes/phase.hpp"
-#include "modes/rest_judge.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
 #include "rotor/machine.hpp"
 
-namespace rubatlas::modes {
+namespace rubatlas::collocation {
 
 class TipPlaces {
  public:
-  explicit TipPlaces(const ContactSetup& setup) : machine_(setup.machine), law_(setup.law) {}
+  /// Machine and law outlive it.
+  TipPlaces(const rotor::Machine& machine, const Law& law) : machine_(&machine), law_(&law) {}
 
   [[nodiscard]] const rotor::Machine& machine() const { return *machine_; }
   [[nodiscard]] const rotor::RotorConstants& rotor() const { return machine_->constants; }
@@ -45,4 +45,4 @@ class TipPlaces {
   const Law* law_;
 };
 
-}  // namespace rubatlas::modes
+}  // namespace rubatlas::collocation
