@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "assembly/blade_tables.hpp"
 #include "assembly/methods.hpp"
@@ -50,10 +49,10 @@ double ring_damping(const LineRequest& request) {
 /// `make`: the law of one blade, from its geometry and what it is.
 template <class Law>
 std::unique_ptr<collocation::Law> of_blades(const LineRequest& request, const auto& make) {
-  std::vector<typename Law::Blades::OfBlade> blades;
+  typename Law::Blades blades;
   for (const settings::Blades& blade : variation::each_blade(request.line))
     blades.push_back(make(variation::geometry_of(request.line.ring, blade), blade));
-  return std::make_unique<Law>(contact::UnequalBlades(std::move(blades)));
+  return std::make_unique<Law>(std::move(blades));
 }
 
 std::unique_ptr<collocation::Law> law_of_inclined_loads(const LineRequest& request) {

@@ -10,13 +10,13 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "blade/bending_table.hpp"
 #include "collocation/blades_in_contact.hpp"
 #include "collocation/interval.hpp"
 #include "contact/directed_elastica.hpp"
 #include "contact/tip.hpp"
-#include "contact/unequal_blades.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 
@@ -131,9 +131,12 @@ class Law {
                                             const contact::TipForce& force) const {
     return touch.slip == 0.0 ? holding(touch, at) : friction_.coefficient(force.slip_velocity, touch.slip);
   }
-  /// Puts a ring without mass where its spring balances these contacts.
-  virtual void place_ring(double /*time*/, std::span<const Touch> /*touching*/,
-                          rotor::ShaftAndRing& /*bodies*/) const {}
+  /// Puts a ring without mass where its spring balances these contacts. False where there is no such place
+  /// (MODEL 5).
+  virtual bool place_ring(const rotor::Machine& /*machine*/, std::span<const Touch> /*touching*/,
+                          rotor::ContactState& /*state*/) const {
+    return true;
+  }
   /// Rates of what the leading blade is bent by, from those of the arc.
   struct Rates {
     double bending = 0.0;                   ///< of u
@@ -208,23 +211,28 @@ class Law {
   IntervalSolver solver_ = interval_solver();
 };
 
-/// What all kinds have in common: blades with a law each.
+/// What all kinds have in common: blades with a law each, which need not be alike.
 template <class Derived, class BladeLaw, class Base = Law>
 class LawOfBlades : public Base {
  public:
-  using Blades = contact::UnequalBlades<BladeLaw>;
-  explicit LawOfBlades(Blades blades) : Base(blades.of(0).friction()), blades_(std::move(blades)) {}
+  using Blades = std::vector<BladeLaw>;
+  explicit LawOfBlades(Blades blades) : Base(blades.front().friction()), blades_(std::move(blades)) {}
 
   [[nodiscard]] std::unique_ptr<Law> of_shortened(std::span<const double> lost) const override {
-    return std::make_unique<Derived>(lost.empty() ? blades_ : blades_.shortened(lost));
+    Blades worn = blades_;
+    for (std::size_t k = 0; k < lost.size(); ++k) {
+      if (lost[k] != 0.0) worn[k] = blades_[k].shortened(lost[k]);
+    }
+    return std::make_unique<Derived>(std::move(worn));
   }
-  [[nodiscard]] const contact::Geometry& geometry(int blade) const override {
-    return blades_.of(blade).geometry();
+  [[nodiscard]] const contact::Geometry& geometry(int blade) const override { return of(blade).geometry(); }
+  [[nodiscard]] std::uint64_t evaluations() const override {
+    std::uint64_t sum = 0;
+    for (const BladeLaw& blade : blades_) sum += blade.evaluations();
+    return sum;
   }
-  [[nodiscard]] std::uint64_t evaluations() const override { return blades_.evaluations(); }
-  [[nodiscard]] const Blades& blades() const { return blades_; }
-  [[nodiscard]] const BladeLaw& of(int blade) const { return blades_.of(blade); }
-  [[nodiscard]] int count() const { return blades_.count(); }  ///< of blades
+  [[nodiscard]] const BladeLaw& of(int blade) const { return blades_[static_cast<std::size_t>(blade)]; }
+  [[nodiscard]] int count() const { return static_cast<int>(blades_.size()); }  ///< of blades
 
  private:
   Blades blades_;

@@ -75,10 +75,9 @@ class RigidLaw final : public LawOfBlades<RigidLaw, contact::ElasticRingContact>
     }
     return result;
   }
-  void place_ring(double time, std::span<const Touch> touching, rotor::ShaftAndRing& bodies) const override {
-    if (machine_->following_ring() == nullptr) return;
-    rotor::ContactState placed = rotor::full_state(bodies, time, 0.0);
-    if (rotor::RingBalance(*machine_, blades(), touching).place(placed)) bodies = rotor::bodies(placed);
+  bool place_ring(const rotor::Machine& machine, std::span<const Touch> touching,
+                  rotor::ContactState& state) const override {
+    return rotor::RingBalance(machine, *this, touching).place(state);
   }
 
   bool respond(const TipPlace& at, Touch& touch, contact::TipForce& force) const override {

@@ -7,7 +7,6 @@
 
 #include "compared/guards.hpp"
 #include "compared/solved.hpp"
-#include "modes/ring_placer.hpp"
 
 namespace rubatlas::compared {
 
@@ -15,16 +14,15 @@ namespace rubatlas::compared {
 /// ring are not degrees of freedom; they follow from the shaft's state.
 class FollowingRing : public Solved {
  public:
-  explicit FollowingRing(const modes::ContactSetup& setup)
-      : Solved(setup), placer_(*setup.machine, *setup.law) {}
+  using Solved::Solved;
   static constexpr bool kBendsFollowPath = false;
 
   bool operator()(const FullState& state, FullState& derivative) {
     FullState placed = state;
-    return placer_.place(placed, contacts_) && Solved::operator()(placed, derivative);
+    return law_->place_ring(machine(), contacts_, placed) && Solved::operator()(placed, derivative);
   }
 
-  void project(FullState& state) const { placer_.place(state, contacts_); }
+  void project(FullState& state) const { law_->place_ring(machine(), contacts_, state); }
   void place(FullState& state) const { project(state); }
 
   template <class Search>
@@ -34,9 +32,6 @@ class FollowingRing : public Solved {
     for (std::size_t i = 0; i < contacts_.size(); ++i) slip_guard(*this, search, i, false);
     loss_of_validity(*this, search, std::numeric_limits<double>::infinity());
   }
-
- private:
-  modes::RingPlacer placer_;
 };
 
 }  // namespace rubatlas::compared

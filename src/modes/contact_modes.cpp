@@ -1,6 +1,8 @@
 #include "modes/contact_modes.hpp"
 
+#include <algorithm>
 #include <complex>
+#include <limits>
 #include <utility>
 
 #include "modes/rest_of_rigid_blades.hpp"
@@ -22,10 +24,47 @@ ContactModes::ContactModes(const rotor::Machine& machine, std::unique_ptr<Law> l
   }
   std::vector<contact::DirectedElastica> at_rest;
   for (int k = 0; k < machine.blades.count(); ++k) {
-    if (auto law_of_rest = law_->law_of_rest(k)) at_rest.push_back(std::move(*law_of_rest));
+    if (auto law_of_rest = law_->law_of_rest(k)) at_rest.push_back(*law_of_rest);
   }
-  if (!at_rest.empty()) tips_at_rest_.emplace(contact::UnequalBlades(std::move(at_rest)), setup_);
-  if (machine.following_ring() != nullptr) ring_placer_.emplace(machine, *law_);
+  if (!at_rest.empty()) tips_at_rest_.emplace(std::move(at_rest), setup_);
+}
+
+bool ContactModes::place_ring(rotor::ShaftAndRing& bodies, double time, std::vector<OpenContact>& contacts,
+                              const std::function<bool(int blade)>& touches) const {
+  if (machine().following_ring() == nullptr) return true;
+  // Of R²: rounding of g where a touch-down or a lift-off has been located.
+  constexpr double kGapRounding = 32.0 * std::numeric_limits<double>::epsilon();
+  const double rounding = kGapRounding * ring_radius() * ring_radius();
+  for (int change = 0; change <= 2 * blades().count(); ++change) {
+    rotor::ContactState full = rotor::full_state(bodies, time, 0.0);
+    if (!law_->place_ring(machine(), contacts, full)) return false;
+    bodies = rotor::bodies(full);
+    int enters = -1;
+    double deepest = rounding;
+    auto leaves = contacts.end();
+    for (int k = 0; k < blades().count(); ++k) {
+      const double gap = pose(k, full).gap;
+      const auto open = std::ranges::find(contacts, k, &OpenContact::blade);
+      if (open == contacts.end() && gap > deepest) {
+        deepest = gap;
+        enters = k;
+      }
+      if (open != contacts.end() && gap < -rounding) leaves = open;
+    }
+    if (leaves != contacts.end()) {
+      contacts.erase(leaves);
+    } else if (enters < 0) {
+      // All contacts have to slip in the direction of their s.
+      return std::ranges::all_of(contacts, [&](const OpenContact& contact) {
+        const double velocity = contact::undeformed_slip_velocity(
+            law_->geometry(contact.blade), pose(contact.blade, full), angular_speed(full));
+        return contact.slip * velocity >= -slip_rounding(full);
+      });
+    } else if (!touches(enters)) {
+      return false;
+    }
+  }
+  return false;
 }
 
 bool ContactModes::let_go(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -14,7 +15,6 @@
 #include "modes/phase.hpp"
 #include "modes/rest_judge.hpp"
 #include "modes/rest_of_elastic_blades.hpp"
-#include "modes/ring_placer.hpp"
 #include "modes/skimming_judge.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
@@ -54,8 +54,13 @@ class ContactModes : public TipPlaces {
 
   /// Of tips that may skim.
   [[nodiscard]] const std::optional<SkimmingJudge>& skimming_judge() const { return skimming_judge_; }
-  /// Of a ring without mass.
-  [[nodiscard]] const std::optional<RingPlacer>& ring_placer() const { return ring_placer_; }
+  /// Finds the place of a ring without mass, where its spring balances the blades in contact, and the
+  /// contacts together: `touches` opens the contact of a blade that reaches into the ring at its place, and
+  /// the contact of a blade that does not is closed. (The place jumps where friction reverses.) False where
+  /// there is no such place, and where a tip would stick, since its friction would be another unknown (MODEL
+  /// 5).
+  bool place_ring(rotor::ShaftAndRing& bodies, double time, std::vector<OpenContact>& contacts,
+                  const std::function<bool(int blade)>& touches) const;
 
   // Rest.
 
@@ -102,7 +107,6 @@ class ContactModes : public TipPlaces {
   std::unique_ptr<RestJudge> judge_;                 ///< of tips that stick
   std::optional<TipsAtRest> tips_at_rest_;
   std::optional<SkimmingJudge> skimming_judge_;
-  std::optional<RingPlacer> ring_placer_;  ///< of a ring without mass
 };
 
 }  // namespace rubatlas::modes

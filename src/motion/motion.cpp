@@ -225,9 +225,7 @@ bool Motion::open(int blade, const modes::TipPlace& at) {
 }
 
 bool Motion::place_ring() {
-  const auto touches = [this](int blade) { return open(blade, place(blade)); };
-  const auto& placer = modes_.ring_placer();
-  return !placer || placer->settle(state_, time_, contacts_, touches);
+  return modes_.place_ring(state_, time_, contacts_, [this](int blade) { return open(blade, place(blade)); });
 }
 
 /// Frees the tips at rest that friction cannot hold after an event of one blade; the listener is told of the

@@ -7,7 +7,7 @@ namespace rubatlas::bench {
 ContactRotor::ContactRotor(const rotor::RotorConstants& rotor, int blade_count,
                            const contact::ElasticaContact& law)
     : machine_{rotor, rotor::BladeSet(blade_count, rotor.speed_ratio), {rotor::Harmonics({})}, {}},
-      law_(contact::UnequalBlades(std::vector(static_cast<std::size_t>(machine_.blades.count()), law))),
+      law_(std::vector(static_cast<std::size_t>(machine_.blades.count()), law)),
       system_({&machine_, &law_, {0.0, 1.0}, &meter_}),
       open_(static_cast<std::size_t>(blade_count), false),
       bending_(static_cast<std::size_t>(blade_count), 0.0) {

@@ -12,7 +12,6 @@
 #include "../support/hybrid_motion.hpp"
 #include "collocation/interval.hpp"
 #include "contact/directed_elastica.hpp"
-#include "contact/unequal_blades.hpp"
 #include "modes/collocated.hpp"
 #include "rotor/any_shaft.hpp"
 #include "rotor/blade_set.hpp"
@@ -28,7 +27,7 @@ double random_between(std::mt19937_64& generator, double least, double most) {
 }
 
 struct KickedRotor {
-  using Laws = contact::UnequalBlades<contact::DirectedElastica>;
+  using Laws = std::vector<contact::DirectedElastica>;
   rotor::RotorConstants rotor;
   rotor::BladeSet blades;
   Laws laws;
@@ -80,7 +79,7 @@ KickedRotor kicked_rotor(std::mt19937_64& generator, contact::LoadDirection dire
   return KickedRotor{
       rotor,
       {rotor::equal_angles(count), speed, speed_ripple},
-      contact::UnequalBlades(std::move(laws)),
+      std::move(laws),
       {rotor::Harmonics(std::vector<rotor::Harmonic>{rotor::RotatingUnbalance(moment, 0.3, speed, damping)})},
       start};
 }

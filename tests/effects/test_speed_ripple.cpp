@@ -8,7 +8,6 @@
 
 #include "../support/hybrid_motion.hpp"
 #include "contact/elastic_ring_contact.hpp"
-#include "contact/unequal_blades.hpp"
 #include "effect_scene.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/linear_support.hpp"

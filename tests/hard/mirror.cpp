@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "contact/unequal_blades.hpp"
 #include "recorded_motion.hpp"
 #include "rotor/blade_set.hpp"
 
@@ -107,7 +106,7 @@ auto unequal(MakeLaw make_law) {
       own.length += 1e-4 * (image_of(k, rotor.blades, side) % 3 - 1);
       laws.push_back(make_law(own, side));
     }
-    return contact::UnequalBlades(std::move(laws));
+    return laws;
   };
 }
 

@@ -11,7 +11,6 @@
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
 #include "contact/friction_law.hpp"
-#include "contact/unequal_blades.hpp"
 #include "machine_of.hpp"
 #include "modes/rest_judge.hpp"
 #include "motion/motion.hpp"
@@ -20,16 +19,16 @@ namespace rubatlas::test {
 
 /// The law of blades that are alike.
 template <class Blade>
-contact::UnequalBlades<Blade> laws_of(const Blade& blade, int count) {
-  return contact::UnequalBlades(std::vector(static_cast<std::size_t>(count), blade));
+std::vector<Blade> laws_of(const Blade& blade, int count) {
+  return std::vector(static_cast<std::size_t>(count), blade);
 }
 template <class Blade>
-const contact::UnequalBlades<Blade>& laws_of(const contact::UnequalBlades<Blade>& laws, int /*count*/) {
+const std::vector<Blade>& laws_of(const std::vector<Blade>& laws, int /*count*/) {
   return laws;
 }
 
 template <class Blade>
-using Blades = contact::UnequalBlades<Blade>;
+using Blades = std::vector<Blade>;
 std::unique_ptr<collocation::Law> law_of(const Blades<contact::ElasticaContact>& blades);
 std::unique_ptr<collocation::Law> law_of(const Blades<contact::ElasticRingContact>& blades);
 std::unique_ptr<collocation::Law> law_of(const Blades<contact::DirectedElastica>& blades);
