@@ -112,12 +112,6 @@ class ContactPhase final : public Phase {
                                      watched.at_end.value - watched.at_start.value,
                                      watched.at_end.rate * size);
   }
-  [[nodiscard]] double normal_force(std::size_t contact, double time) override {
-    return mode_.force(contact, full_state_at(time)).normal;
-  }
-  [[nodiscard]] double root_strain(std::size_t contact, double time) override {
-    return mode_.force(contact, full_state_at(time)).root_strain;
-  }
   [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, double time) override {
     return contact_force(contact, full_state_at(time));
   }

@@ -107,12 +107,6 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
   [[nodiscard]] int blade(std::size_t contact) const override { return static_cast<int>(open_[contact]); }
   /// Without located events a peak is what the ends of steps have seen.
   [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return Scheme::kLocated; }
-  [[nodiscard]] double normal_force(std::size_t contact, double time) override {
-    return system_.force(open_[contact], state_at((time - begin()) / step_.size())).normal;
-  }
-  [[nodiscard]] double root_strain(std::size_t contact, double time) override {
-    return system_.force(open_[contact], state_at((time - begin()) / step_.size())).root_strain;
-  }
   [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, double time) override {
     const std::size_t k = open_[contact];
     const SteppedState full = state_at((time - begin()) / step_.size());

@@ -145,12 +145,6 @@ double Collocated::largest_displacement(double known, double /*speed_ratio*/) {
   return arc_.largest_displacement(piece_begin_, piece_end_, known);
 }
 
-double Collocated::normal_force(std::size_t contact, double time) {
-  return force(contact, arc_.solved_at(time)).normal;
-}
-double Collocated::root_strain(std::size_t contact, double time) {
-  return force(contact, arc_.solved_at(time)).root_strain;
-}
 trajectory::ContactForce Collocated::contact_force(std::size_t contact, double time) {
   return contact_force(contact, arc_.solved_at(time));
 }

@@ -51,8 +51,6 @@ class Collocated final : public Phase, public ContactPhases {
   [[nodiscard]] std::size_t contact_count() const override { return contacts_.size(); }
   [[nodiscard]] int blade(std::size_t contact) const override { return contacts_[contact].blade; }
   [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return true; }
-  [[nodiscard]] double normal_force(std::size_t contact, double time) override;
-  [[nodiscard]] double root_strain(std::size_t contact, double time) override;
   [[nodiscard]] LargestLoad largest(trajectory::Load load, std::size_t contact, double known) override;
   [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, double time) override;
   [[nodiscard]] trajectory::Tip tip(int blade, double time) override;

@@ -43,7 +43,8 @@ inline trajectory::ContactForce contact_force(const contact::TipForce& force, do
       force.normal * force.slip_velocity - along_tangent(at.radial_velocity, at.tangential_velocity);
   const double torque =
       -along_tangent(at.radial, at.tangential) - coefficient * slips_by_turning / angular_speed;
-  return {contact::on_rotor(force, er), force.normal, force.slip_velocity, slip, coefficient, torque};
+  const Complex on_rotor = contact::on_rotor(force, er);
+  return {on_rotor, force.normal, force.slip_velocity, slip, coefficient, torque, force.root_strain};
 }
 
 }  // namespace rubatlas::modes

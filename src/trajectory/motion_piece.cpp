@@ -86,8 +86,8 @@ void MotionPiece::path(double share, PathPoint& point, std::vector<ContactForce>
 
 MotionPiece::LargestLoad MotionPiece::largest(Load load, std::size_t contact, double known) {
   const auto at = [&](double share) {
-    const double time = time_at(share);
-    return load == Load::normal_force ? normal_force(contact, time) : root_strain(contact, time);
+    const ContactForce there = contact_force(contact, time_at(share));
+    return load == Load::normal_force ? there.normal : there.root_strain;
   };
   if (!load_peaks(contact)) {
     const double at_begin = at(0.0);

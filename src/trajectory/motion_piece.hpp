@@ -62,6 +62,7 @@ struct ContactForce {
   double slip;                    ///< s = ±1, 0 where the tip sticks
   double friction;                ///< c [-]: the ring pulls at the tip with −c F along t (MODEL 4.3)
   double torque;                  ///< of the force about the shaft's centre, along +z [N m]
+  double root_strain = 0.0;       ///< bending strain at the blade's root [-]
 
   /// c F v, what friction takes from the motion [J per unit τ].
   [[nodiscard]] double friction_power() const { return friction * normal * slip_velocity; }
@@ -136,9 +137,6 @@ class MotionPiece {
   /// True where the load of a contact may rise and fall again within the piece; else the load is largest at
   /// an end.
   [[nodiscard]] virtual bool load_peaks(std::size_t contact) const = 0;
-  /// Normal force F [N] and bending strain at the blade's root [-] of a contact at a time of the piece.
-  [[nodiscard]] virtual double normal_force(std::size_t contact, double time) = 0;
-  [[nodiscard]] virtual double root_strain(std::size_t contact, double time) = 0;
   struct LargestLoad {
     double time;   ///< τ of the revolution
     double value;  ///< [N] or [-]
@@ -147,6 +145,9 @@ class MotionPiece {
   [[nodiscard]] virtual LargestLoad largest(Load load, std::size_t contact, double known);
   /// The force of a contact at a time of the piece.
   [[nodiscard]] virtual ContactForce contact_force(std::size_t contact, double time) = 0;
+  [[nodiscard]] double normal_force(std::size_t contact, double time) {
+    return contact_force(contact, time).normal;
+  }
   /// A blade's tip at a time of the piece; `blade` from 0.
   [[nodiscard]] virtual Tip tip(int blade, double time) = 0;
   /// Of the tips that are not in contact, the one that passes the ring nearest within the piece; none where
@@ -183,8 +184,6 @@ class PieceWithoutContact : public MotionPiece {
   [[nodiscard]] std::size_t contact_count() const final { return 0; }
   [[nodiscard]] int blade(std::size_t /*contact*/) const final { return -1; }
   [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const final { return false; }
-  [[nodiscard]] double normal_force(std::size_t /*contact*/, double /*time*/) final { return 0.0; }
-  [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) final { return 0.0; }
   [[nodiscard]] ContactForce contact_force(std::size_t /*contact*/, double /*time*/) final { return {}; }
 };
 

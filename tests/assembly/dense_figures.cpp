@@ -173,7 +173,8 @@ void DenseFigures::follow_loads(MotionPiece& piece, const std::vector<double>& t
   for (std::size_t i = 0; i < piece.contact_count(); ++i) {
     Blade& blade = blades_[static_cast<std::size_t>(piece.blade(i))];
     blade.force = largest_of([&](double time) { return piece.normal_force(i, time); }, times, blade.force);
-    blade.strain = largest_of([&](double time) { return piece.root_strain(i, time); }, times, blade.strain);
+    blade.strain = largest_of([&](double time) { return piece.contact_force(i, time).root_strain; }, times,
+                              blade.strain);
   }
 }
 

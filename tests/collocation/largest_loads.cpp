@@ -45,8 +45,8 @@ class LoadsOfPieces final : public modes::MotionListener {
     for (int i = 0; i <= kSamples; ++i) {
       const double share = static_cast<double>(i) / kSamples;
       const double time = i == kSamples ? piece.end() : piece.begin() + share * (piece.end() - piece.begin());
-      const double value = load == trajectory::Load::normal_force ? piece.normal_force(contact, time)
-                                                                  : piece.root_strain(contact, time);
+      const trajectory::ContactForce there = piece.contact_force(contact, time);
+      const double value = load == trajectory::Load::normal_force ? there.normal : there.root_strain;
       sampled[number] = std::max(sampled[number], value);
       too_small = std::max(too_small, (value - found) / sampled[number]);
     }

@@ -39,16 +39,10 @@ class SyntheticPiece final : public trajectory::MotionPiece {
   [[nodiscard]] std::size_t contact_count() const override { return contacts_.size(); }
   [[nodiscard]] int blade(std::size_t contact) const override { return contacts_[contact].blade; }
   [[nodiscard]] bool load_peaks(std::size_t contact) const override { return contacts_[contact].peaks; }
-  [[nodiscard]] double normal_force(std::size_t contact, double time) override {
-    return contacts_[contact].force(time);
-  }
-  [[nodiscard]] double root_strain(std::size_t contact, double time) override {
-    return contacts_[contact].strain(time);
-  }
   [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, double time) override {
     if (contacts_[contact].action) return contacts_[contact].action(time);
-    const double force = normal_force(contact, time);
-    return {-force, force, 0.0, 1.0, 0.0, 0.0};
+    const double force = contacts_[contact].force(time);
+    return {-force, force, 0.0, 1.0, 0.0, 0.0, contacts_[contact].strain(time)};
   }
   [[nodiscard]] trajectory::Tip tip(int blade, double time) override {
     return tips_ ? tips_(blade, time) : trajectory::Tip{-1.0, 0.0, 0.0};

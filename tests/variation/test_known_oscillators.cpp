@@ -78,13 +78,9 @@ class AlongX final : public trajectory::MotionPiece {
   [[nodiscard]] std::size_t contact_count() const override { return stiffness_ > 0.0 ? 1 : 0; }
   [[nodiscard]] int blade(std::size_t /*contact*/) const override { return 0; }
   [[nodiscard]] bool load_peaks(std::size_t /*contact*/) const override { return true; }
-  [[nodiscard]] double normal_force(std::size_t /*contact*/, double time) override {
+  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t /*contact*/, double time) override {
     constexpr double kShaft = 100.0;  // m ωn² [N/m]
-    return kShaft * stiffness_ * beyond(time)[0];
-  }
-  [[nodiscard]] double root_strain(std::size_t /*contact*/, double /*time*/) override { return 0.0; }
-  [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, double time) override {
-    const double force = normal_force(contact, time);
+    const double force = kShaft * stiffness_ * beyond(time)[0];
     return {-force, force, 0.0, 1.0, 0.0, 0.0};
   }
   [[nodiscard]] trajectory::Tip tip(int /*blade*/, double time) override {
