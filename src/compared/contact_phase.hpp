@@ -86,15 +86,12 @@ class ContactPhase final : public Phase {
   [[nodiscard]] rotor::ShaftAndRing state_at(double time) override {
     return rotor::bodies(full_state_at(time));
   }
-  [[nodiscard]] End where_it_ended() override {
-    const FullState full = end_state();
-    return {full[rotor::kTime], rotor::bodies(full)};
-  }
-  [[nodiscard]] OpenContact contact_at_end(std::size_t contact) override {
-    return mode_.contact_in(contact, end_state());
-  }
-  [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) override {
-    return mode_.contact_in(contact, full_state_at(time));
+  void hand_over(double& time, rotor::ShaftAndRing& bodies, std::vector<OpenContact>& contacts) override {
+    const FullState full = pending_ ? full_state_at(segment_limit_) : end_state();
+    time = pending_ ? segment_limit_ : full[rotor::kTime];
+    bodies = rotor::bodies(full);
+    contacts = mode_.contacts();
+    for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i] = mode_.contact_in(i, full);
   }
 
   // The piece of motion that is being recorded.

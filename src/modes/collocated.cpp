@@ -18,7 +18,6 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
                                        const std::vector<OpenContact>& contacts) {
   using ending::StatusDetail;
   contacts_ = contacts;
-  start_ = {time, state};
   pending_ = false;
   const std::uint64_t evaluations = law_->evaluations();
   at_once_.reset();
@@ -121,15 +120,13 @@ void Collocated::shift_time(double period) {
   piece_end_ -= period;
 }
 
-Phase::End Collocated::where_it_ended() {
-  if (at_once_) return start_;
-  return {arc_.end().time, arc_.end().bodies};
-}
-OpenContact Collocated::contact_at_end(std::size_t contact) {
-  return at_once_ ? contacts_[contact] : arc_.touch_of(blade(contact), arc_.end());
-}
-OpenContact Collocated::contact_at(std::size_t contact, double time) {
-  return arc_.touch_of(blade(contact), arc_.point_at(arc_.fraction_at(time)));
+void Collocated::hand_over(double& time, rotor::ShaftAndRing& bodies, std::vector<OpenContact>& contacts) {
+  contacts = contacts_;
+  if (at_once_) return;
+  time = pending_ ? piece_end_ : arc_.end().time;
+  bodies = pending_ ? arc_.solved_at(time).bodies : arc_.end().bodies;
+  const Point there = pending_ ? arc_.point_at(arc_.fraction_at(time)) : arc_.end();
+  for (OpenContact& open : contacts) open = arc_.touch_of(open.blade, there);
 }
 
 void Collocated::places(const trajectory::SampleTimes& times, int first, std::span<double> x,

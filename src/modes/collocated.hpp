@@ -35,9 +35,7 @@ class Collocated final : public Phase, public ContactPhases {
   void shift_time(double period) override;
 
   [[nodiscard]] rotor::ShaftAndRing state_at(double time) override { return arc_.solved_at(time).bodies; }
-  [[nodiscard]] End where_it_ended() override;
-  [[nodiscard]] OpenContact contact_at_end(std::size_t contact) override;
-  [[nodiscard]] OpenContact contact_at(std::size_t contact, double time) override;
+  void hand_over(double& time, rotor::ShaftAndRing& bodies, std::vector<OpenContact>& contacts) override;
   Phase& of(const std::vector<OpenContact>& /*contacts*/) override { return *this; }
   void each(const std::function<void(const Phase&)>& use) const override { use(*this); }
 
@@ -91,7 +89,6 @@ class Collocated final : public Phase, public ContactPhases {
   const Law* law_;
   collocation::ContactArc arc_;
   std::vector<OpenContact> contacts_;  ///< where they began
-  End start_{};                        ///< where they began
   std::optional<ModeEnd> at_once_;     ///< one of the blades does not stand where they begin
   bool pending_ = false;               ///< an interval has been made and not been recorded to its end
   std::vector<trajectory::ContactForce> forces_at_node_;

@@ -43,16 +43,8 @@ class Phase : public trajectory::MotionPiece {
   [[nodiscard]] trajectory::State state(double time) override {
     return rotor::as_array(rotor::shaft(state_at(time)));
   }
-  /// Where the phase ended.
-  struct End {
-    double time;  ///< τ of the revolution
-    rotor::ShaftAndRing state;
-  };
-  [[nodiscard]] virtual End where_it_ended() = 0;
-  /// An open contact there, from which the next phase starts.
-  [[nodiscard]] virtual OpenContact contact_at_end(std::size_t contact) = 0;
-  /// An open contact at a time of the piece that is being recorded, from which another motion starts.
-  [[nodiscard]] virtual OpenContact contact_at(std::size_t contact, double time) = 0;
+  /// Where it has advanced to, from where another phase or motion goes on.
+  virtual void hand_over(double& time, rotor::ShaftAndRing& bodies, std::vector<OpenContact>& contacts) = 0;
 
   /// Right-hand sides and steps since the phase was made.
   [[nodiscard]] virtual std::uint64_t evaluations() const = 0;

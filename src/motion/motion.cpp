@@ -56,19 +56,11 @@ ending::StatusDetail Motion::take_over(PointMotion& before) {
   meter_ = other.meter_;
   work_ = other.work();
   reversals_ = other.reversals_;
+  std::vector<modes::OpenContact> held = other.contacts_;
+  if (other.modes_.under_law_of_rest(held))
+    std::ranges::for_each(held, modes::ContactModes::leave_law_of_rest);
   constexpr int kNone = -1;
-  return find_contacts(other.contacts_now(), kNone) ? ending::StatusDetail::none
-                                                    : ending::StatusDetail::no_equilibrium;
-}
-
-std::vector<modes::OpenContact> Motion::contacts_now() {
-  std::vector<modes::OpenContact> contacts = contacts_;
-  if (ended_by_) return contacts;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    contacts[i] = phase_->contact_at(i, time_);
-    if (modes_.under_law_of_rest(contacts_)) modes_.leave_law_of_rest(contacts[i]);
-  }
-  return contacts;
+  return find_contacts(held, kNone) ? ending::StatusDetail::none : ending::StatusDetail::no_equilibrium;
 }
 
 ending::StatusDetail Motion::revolution(modes::MotionListener& listener, const modes::GoOn& go_on,
@@ -139,16 +131,11 @@ modes::ModeEnd Motion::fly(double period, modes::MotionListener& listener) {
 
 modes::ModeEnd Motion::touch(double period, modes::MotionListener& listener) {
   const modes::ModeEnd end = phase_->advance(period, listener);
+  phase_->hand_over(time_, state_, contacts_);
   if (end.guard == modes::Guard::horizon) {
-    state_ = phase_->state_at(period);
-    time_ = period;
     phase_->shift_time(period);
     return end;
   }
-  const modes::Phase::End full = phase_->where_it_ended();
-  state_ = full.state;
-  time_ = full.time;
-  for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i] = phase_->contact_at_end(i);
   if (modes_.under_law_of_rest(contacts_)) {
     // Tips that slip beside a tip at rest go on under their own law, which finds their bending anew. The
     // reset does this for the blade of the event.

@@ -44,8 +44,6 @@ class Motion final : public PointMotion {
   using Contact = std::vector<modes::OpenContact>::iterator;
 
   [[nodiscard]] std::vector<contact::Geometry> geometries() const;
-  /// Contacts as they are at the end of a revolution.
-  [[nodiscard]] std::vector<modes::OpenContact> contacts_now();
 
   // Modes.
   modes::ModeEnd fly(double period, modes::MotionListener& listener);

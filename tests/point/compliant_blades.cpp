@@ -46,19 +46,26 @@ TEST(CompliantBlades, InAStiffRingMoveLikeInARigidOneToFirstOrder) {
   }
 }
 
+struct Place {
+  double time;
+  rotor::ShaftAndRing state;
+};
 /// How one contact ends, from a state on.
 struct Ended {
   modes::ModeEnd end;
-  modes::Phase::End where;
+  Place where;
 };
-Ended follow(modes::Phase& phase, modes::WorkMeter& meter, const modes::Phase::End& from,
+Ended follow(modes::Phase& phase, modes::WorkMeter& meter, const Place& from,
              const modes::OpenContact& contact) {
   const modes::GoOn always;
   meter.begin_revolution(always);
   EXPECT_EQ(phase.start(from.time, from.state, {contact}), ending::StatusDetail::none);
   modes::MotionListener nobody;
   const modes::ModeEnd end = phase.advance(1e3, nobody);
-  return {end, phase.where_it_ended()};
+  Ended result{end, from};
+  std::vector<modes::OpenContact> contacts;
+  phase.hand_over(result.where.time, result.where.state, contacts);
+  return result;
 }
 
 /// Every touch-down of a motion on which no other tip is in the ring, followed to its end by collocation and
@@ -83,7 +90,7 @@ int expect_both_solvers_agree(const ElasticaContact& blade, double speed_ratio, 
     modes::OpenContact contact{event.blade, event.slip, 0.0};
     const contact::Pose at = pose_at(speed_ratio, blades, event);
     if (!blade.starts_unloaded(at, contact.slip)) contact.bending = blade.solve(at, contact.slip).value();
-    const modes::Phase::End start{event.time, rotor::shaft_and_ring(event.state)};
+    const Place start{event.time, rotor::shaft_and_ring(event.state)};
     const Ended one = follow(collocated, meter, start, contact);
     const Ended other = follow(stepped->of({contact}), meter, start, contact);
     EXPECT_EQ(one.end.guard, other.end.guard);
