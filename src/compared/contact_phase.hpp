@@ -83,9 +83,6 @@ class ContactPhase final : public Phase {
     segment_end_ -= period;
   }
 
-  [[nodiscard]] rotor::ShaftAndRing state_at(double time) override {
-    return rotor::bodies(full_state_at(time));
-  }
   void hand_over(double& time, rotor::ShaftAndRing& bodies, std::vector<OpenContact>& contacts) override {
     const FullState full = pending_ ? full_state_at(segment_limit_) : end_state();
     time = pending_ ? segment_limit_ : full[rotor::kTime];
@@ -97,6 +94,9 @@ class ContactPhase final : public Phase {
   // The piece of motion that is being recorded.
   [[nodiscard]] double begin() const override { return segment_begin_; }
   [[nodiscard]] double end() const override { return segment_limit_; }
+  [[nodiscard]] trajectory::State state(double time) override {
+    return rotor::as_array(rotor::shaft(rotor::bodies(full_state_at(time))));
+  }
   [[nodiscard]] double displacement_bound() const override { return std::numeric_limits<double>::infinity(); }
   [[nodiscard]] std::size_t contact_count() const override { return mode_.contacts().size(); }
   [[nodiscard]] int blade(std::size_t contact) const override { return mode_.contacts()[contact].blade; }

@@ -34,7 +34,6 @@ class Collocated final : public Phase, public ContactPhases {
   ModeEnd advance(double until, MotionListener& listener) override;
   void shift_time(double period) override;
 
-  [[nodiscard]] rotor::ShaftAndRing state_at(double time) override { return arc_.solved_at(time).bodies; }
   void hand_over(double& time, rotor::ShaftAndRing& bodies, std::vector<OpenContact>& contacts) override;
   Phase& of(const std::vector<OpenContact>& /*contacts*/) override { return *this; }
   void each(const std::function<void(const Phase&)>& use) const override { use(*this); }
@@ -42,6 +41,9 @@ class Collocated final : public Phase, public ContactPhases {
   // The piece of motion that is being recorded.
   [[nodiscard]] double begin() const override { return piece_begin_; }
   [[nodiscard]] double end() const override { return piece_end_; }
+  [[nodiscard]] trajectory::State state(double time) override {
+    return rotor::as_array(rotor::shaft(arc_.solved_at(time).bodies));
+  }
   void places(const trajectory::SampleTimes& times, int first, std::span<double> x,
               std::span<double> y) override;
   [[nodiscard]] double displacement_bound() const override { return arc_.displacement_bound(); }

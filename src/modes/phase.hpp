@@ -38,11 +38,6 @@ class Phase : public trajectory::MotionPiece {
   /// Sets the time back by a revolution.
   virtual void shift_time(double period) = 0;
 
-  /// State at a time of the piece that is being recorded.
-  [[nodiscard]] virtual rotor::ShaftAndRing state_at(double time) = 0;
-  [[nodiscard]] trajectory::State state(double time) override {
-    return rotor::as_array(rotor::shaft(state_at(time)));
-  }
   /// Where it has advanced to, from where another phase or motion goes on.
   virtual void hand_over(double& time, rotor::ShaftAndRing& bodies, std::vector<OpenContact>& contacts) = 0;
 
