@@ -74,14 +74,6 @@ bool ContactModes::let_go(const rotor::ContactState& state, const std::vector<Op
   return true;
 }
 
-bool ContactModes::comes_to_rest(const rotor::ContactState& state, OpenContact& contact) const {
-  if (!tips_at_rest_) return false;
-  OpenContact there = contact;
-  if (!tips_at_rest_->judge.come_to_rest(there, state)) return false;
-  contact = there;
-  return true;
-}
-
 void ContactModes::set_out_from_rest(rotor::ShaftAndRing& state, const TipPlace& at, double time,
                                      OpenContact contact) const {
   contact::TipForce force{};

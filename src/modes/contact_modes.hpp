@@ -74,8 +74,10 @@ class ContactModes : public TipPlaces {
   bool let_go(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
               OpenContact& contact);
   /// The limit of slip reversals that accumulate: the tip comes to rest where friction can hold it. False,
-  /// and nothing changed, where friction cannot hold it yet.
-  bool comes_to_rest(const rotor::ContactState& state, OpenContact& contact) const;
+  /// and it slips on, where friction cannot hold it yet.
+  bool comes_to_rest(const rotor::ContactState& state, OpenContact& contact) const {
+    return tips_at_rest_ && tips_at_rest_->judge.come_to_rest(contact, state);
+  }
   /// A tip that has come loose and slips against s, as its velocity errs by the tolerance, would slip back to
   /// where it was: puts the shaft's velocity where v = 0.
   void set_out_from_rest(rotor::ShaftAndRing& state, const TipPlace& at, double time,
