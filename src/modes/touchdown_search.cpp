@@ -200,7 +200,7 @@ contact::Pose TouchdownSearch::pose(int blade, double time, const rotor::ShaftAn
                         rotor::from_ring(bodies));
 }
 
-trajectory::Tip TouchdownSearch::tip(int blade, double time) const {
+trajectory::Tip TouchdownSearch::tip(int blade, double time) {
   return tip_of(geometry(blade), pose(blade, time, flight_->state(time)),
                 machine_->blades.angular_speed(time));
 }

@@ -14,6 +14,7 @@
 #include "modes/flight_row.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
+#include "rotor/constants.hpp"
 #include "rotor/machine.hpp"
 #include "trajectory/motion_piece.hpp"
 
@@ -22,7 +23,9 @@ namespace rubatlas::modes {
 /// Finds the first touch-down of a flight: in rows of times, and in the first interval of a row that leaves a
 /// doubt, of each blade that may touch in it, by Newton's method where its gap certainly rises meanwhile,
 /// else in steps that its tip cannot outrun. These shrink towards a touch-down, and end there.
-class TouchdownSearch {
+///
+/// Also the piece of motion that is being recorded: the flight, with the tips that it knows.
+class TouchdownSearch final : public trajectory::PieceWithoutContact {
  public:
   /// Flight and meter outlive the search. `blades`: one geometry for each blade.
   TouchdownSearch(const Flight& flight, std::vector<contact::Geometry> blades, WorkMeter& meter);
@@ -42,12 +45,30 @@ class TouchdownSearch {
   /// the zero of the gap of a blade without length. False also where the meter ends the revolution.
   bool shaft_at_ring(double until);
 
-  /// A tip at a time of the flight.
-  [[nodiscard]] trajectory::Tip tip(int blade, double time) const;
-
-  /// The tip that passes the ring nearest in the flight up to `end` [τ], nearer than `known` [m], or none; as
-  /// far as the meter pays. Once this has been asked for, the search keeps the gaps that it finds.
-  [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(double end, double known);
+  /// The flight up to `end` [τ].
+  trajectory::MotionPiece& piece(double end) {
+    end_ = end;
+    return *this;
+  }
+  [[nodiscard]] double begin() const override { return flight_->start_time(); }
+  [[nodiscard]] double end() const override { return end_; }
+  [[nodiscard]] trajectory::State state(double time) override {
+    return rotor::as_array(flight_->shaft(time));
+  }
+  void places(const trajectory::SampleTimes& times, int first, std::span<double> x,
+              std::span<double> y) override {
+    flight_->places(times, first, x, y);
+  }
+  [[nodiscard]] double displacement_bound() const override {
+    return flight_->shaft_bound(begin(), rotor::shaft(flight_->at_start()), end_ - begin(), false);
+  }
+  [[nodiscard]] double largest_displacement(double known, double /*speed_ratio*/) override {
+    return displacement_bound() > known ? flight_->largest_displacement(begin(), end_, known) : known;
+  }
+  [[nodiscard]] trajectory::Tip tip(int blade, double time) override;
+  /// As far as the meter pays. Once this has been asked for, the search keeps the gaps that it finds.
+  [[nodiscard]] std::optional<trajectory::Pass> nearest_pass(
+      double known, const trajectory::PointConstants& point) override;
 
   /// Bounds of |g'''| and |g''''| of the blade that reaches farthest [m² per unit τ³, τ⁴].
   struct GapBounds {
@@ -93,19 +114,19 @@ class TouchdownSearch {
     double spacing;  ///< τ
     int intervals;   ///< of the row that belong to the flight's way; the next row goes on after them
   };
-  [[nodiscard]] bool rows_reach(double end, double spacing) const;
-  double look_along(double begin, double end);
+  [[nodiscard]] bool rows_reach_end(double spacing) const;
+  double look_along(double from);
   [[nodiscard]] std::int64_t price_of_row() const {
     return flight_->price_of_state() + static_cast<std::int64_t>(blades_.size()) * WorkPrice::kGap;
   }
   [[nodiscard]] static bool may_have_top(const FlightRow::Gaps& gaps, double spacing);
-  void take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps, double end,
-                 trajectory::Pass& nearest) const;
+  void take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps, trajectory::Pass& nearest);
 
   [[nodiscard]] double clear_step(const contact::Geometry& geometry, int blade, double time,
                                   const rotor::ShaftAndRing& bodies, double until) const;
 
   const Flight* flight_;
+  double end_ = 0.0;  ///< of the piece [τ]
   WorkMeter* meter_;
   const rotor::Machine* machine_;
   std::vector<contact::Geometry> blades_;

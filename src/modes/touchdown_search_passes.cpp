@@ -9,54 +9,55 @@
 #include "modes/touchdown_search.hpp"
 
 namespace rubatlas::modes {
-std::optional<trajectory::Pass> TouchdownSearch::nearest_pass(double end, double known) {
+std::optional<trajectory::Pass> TouchdownSearch::nearest_pass(double known,
+                                                              const trajectory::PointConstants& /*point*/) {
   keeps_rows_ = true;
-  double begin = flight_->start_time();
+  double from = begin();
   constexpr int kNone = -1;
   trajectory::Pass nearest{known, 0.0, kNone, 0.0};
   const auto look_at_rows = [&] {
     auto next = gaps_.begin();
     for (const KeptRow& row : rows_) {
-      if (!(row.begin < end)) break;
+      if (!(row.begin < end_)) break;
       for (int k = 0; k < static_cast<int>(blades_.size()); ++k) {
         const FlightRow::Gaps& gaps = *next++;
-        if (may_have_top(gaps, row.spacing)) take_tops(row, k, gaps, end, nearest);  // seldom
+        if (may_have_top(gaps, row.spacing)) take_tops(row, k, gaps, nearest);  // seldom
       }
     }
   };
-  if (!rows_.empty() && rows_reach(end, outlook(begin, flight_->at_start(), end, true).row->spacing())) {
+  if (!rows_.empty() && rows_reach_end(outlook(from, flight_->at_start(), end_, true).row->spacing())) {
     look_at_rows();
-    begin = end;
+    from = end_;
   }
-  while (begin < end && !meter_->ended()) {
-    begin = look_along(begin, end);
+  while (from < end_ && !meter_->ended()) {
+    from = look_along(from);
     look_at_rows();
   }
   return nearest.blade != kNone ? std::optional(nearest) : std::nullopt;
 }
 
-/// Rows of no larger spacing are kept from the start of the flight as far as `end`.
-bool TouchdownSearch::rows_reach(double end, double spacing) const {
-  return rows_.front().begin == flight_->start_time() &&
-         rows_.back().begin + rows_.back().intervals * rows_.back().spacing >= end &&
+/// Rows of no larger spacing are kept from the start of the flight as far as the end of the piece.
+bool TouchdownSearch::rows_reach_end(double spacing) const {
+  return rows_.front().begin == begin() &&
+         rows_.back().begin + rows_.back().intervals * rows_.back().spacing >= end_ &&
          std::ranges::all_of(rows_, [spacing](const KeptRow& row) { return row.spacing <= spacing; });
 }
 
-/// Keeps rows between two times, without a search, as far as memory and the meter allow: up to the time that
-/// is returned.
-double TouchdownSearch::look_along(double begin, double end) {
-  rotor::ShaftAndRing bodies = flight_->state(begin);
-  FlightRow& row = *outlook(begin, bodies, end, true).row;
+/// Keeps rows from a time on, without a search, as far as memory and the meter allow: up to the time that is
+/// returned.
+double TouchdownSearch::look_along(double from) {
+  rotor::ShaftAndRing bodies = flight_->state(from);
+  FlightRow& row = *outlook(from, bodies, end_, true).row;
   rows_.clear();
   const double length = kTimesOfRow * row.spacing();
-  const auto count = static_cast<int>(std::min(std::ceil((end - begin) / length), double{kMostRows}));
+  const auto count = static_cast<int>(std::min(std::ceil((end_ - from) / length), double{kMostRows}));
   for (int number = 0; number < count && meter_->spend(Work::flight, price_of_row()); ++number) {
-    const double time = begin + number * length;
+    const double time = from + number * length;
     read(row, time, bodies, 0.0);
     rows_.push_back({time, row.spacing(), kTimesOfRow});
     bodies = row.state(kTimesOfRow - 1);
   }
-  return begin + count * length;
+  return from + count * length;
 }
 
 /// Whether a gap may rise and fall again within one of the row's intervals (`integrate::cubic_may_peak`).
@@ -68,14 +69,14 @@ bool TouchdownSearch::may_have_top(const FlightRow::Gaps& gaps, double spacing) 
   return ((rise > 0.0 && (between < 0.0 || gaps.rate <= 0.0)) || (between > 0.0 && gaps.rate < 0.0)).any();
 }
 
-/// Looks at the tops of a blade's gap in a row, before `end`, for a pass that is nearer.
-void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps, double end,
-                                trajectory::Pass& nearest) const {
+/// Looks at the tops of a blade's gap in a row, before the end of the piece, for a pass that is nearer.
+void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps,
+                                trajectory::Pass& nearest) {
   constexpr unsigned kBits = 26;  // a maximum is flat, so its value has twice as many
   const double h = row.spacing;
   double gap_before = gaps.before;
   double rate_before = gaps.rate_before;
-  for (int i = 0; i < row.intervals && row.begin + i * h < end; ++i) {
+  for (int i = 0; i < row.intervals && row.begin + i * h < end_; ++i) {
     const double gap = gaps.gap[i];
     const double rate = gaps.rate[i];
     const double from = row.begin + i * h;
@@ -95,7 +96,7 @@ void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::
       // Fast decay after a contact may turn a tip round twice between two times.
       top = integrate::first_top(rate_at, from, from + h, rate_before, rate);
     }
-    if (top && *top < end) {
+    if (top && *top < end_) {
       const trajectory::Tip there = tip(blade, *top);
       if (there.overlap < 0.0 && -there.overlap < nearest.miss)
         nearest = {-there.overlap, there.side, blade, *top};

@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "modes/flight_piece.hpp"
-
 namespace rubatlas::motion {
 
 namespace {
@@ -118,8 +116,7 @@ modes::ModeEnd Motion::fly(double period, modes::MotionListener& listener) {
   if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
   if (leaves) return {Guard::left_validity, -1, ending::StatusDetail::shaft_at_ring};
   if (end > time_) {
-    modes::FlightPiece piece(flight_, search_, end);
-    listener.piece(piece);
+    listener.piece(search_.piece(end));
     if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
     state_ = touchdown ? touchdown->bodies : flight_.state(end);
     time_ = end;

@@ -8,7 +8,7 @@
 
 #include "../support/machine_of.hpp"
 #include "contact/pose.hpp"
-#include "modes/flight_piece.hpp"
+#include "modes/flight.hpp"
 #include "modes/touchdown_search.hpp"
 #include "random_machine.hpp"
 #include "rotor/machine.hpp"
@@ -71,7 +71,7 @@ TEST(FlightBounds, HoldWhereForcingsOfDifferentFrequencyComeIntoStepLater) {
 TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
   for_each_flight([](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     for (const int count : {7, 64, 256, 8192}) {
-      modes::FlightPiece piece(flight, search, rotor.period());
+      trajectory::MotionPiece& piece = search.piece(rotor.period());
       const trajectory::SampleTimes times{rotor.period(), count};
       const int first = static_cast<int>(flight.start_time() / times.spacing()) + 1;
       for (const int last : {first, first + 1, count - 1}) {
@@ -98,7 +98,7 @@ TEST(FlightSamples, AreThoseOfTheClosedFormToRounding) {
 /// The same piece, of which only states are known.
 class StatesOnly final : public trajectory::PieceWithoutContact {
  public:
-  explicit StatesOnly(modes::FlightPiece& piece) : piece_(&piece) {}
+  explicit StatesOnly(trajectory::MotionPiece& piece) : piece_(&piece) {}
   [[nodiscard]] double begin() const override { return piece_->begin(); }
   [[nodiscard]] double end() const override { return piece_->end(); }
   [[nodiscard]] trajectory::State state(double time) override { return piece_->state(time); }
@@ -106,7 +106,7 @@ class StatesOnly final : public trajectory::PieceWithoutContact {
   [[nodiscard]] trajectory::Tip tip(int blade, double time) override { return piece_->tip(blade, time); }
 
  private:
-  modes::FlightPiece* piece_;
+  trajectory::MotionPiece* piece_;
 };
 
 TEST(FlightSamples, TheLargestDisplacementOfAFlightIsFoundWhereverItLies) {
@@ -114,8 +114,8 @@ TEST(FlightSamples, TheLargestDisplacementOfAFlightIsFoundWhereverItLies) {
   int inside = 0;
   for_each_flight([&](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     for (int i = 0; i < 200; ++i) {
-      modes::FlightPiece piece(flight, search,
-                               flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
+      trajectory::MotionPiece& piece =
+          search.piece(flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
       StatesOnly states(piece);
       const double expected = states.largest_displacement(0.0, rotor.speed_ratio);
       EXPECT_NEAR(piece.largest_displacement(0.0, rotor.speed_ratio), expected, 1e-14 * expected)
@@ -137,8 +137,8 @@ TEST(FlightSamples, TheTipThatPassesTheRingNearestIsTheSameInRowsOfTimesAndBySta
   for_each_flight([&](const auto& flight, auto& search, const rotor::RotorConstants& rotor) {
     const trajectory::PointConstants point{rotor.period(), rotor.speed_ratio, 3};
     for (int i = 0; i < 50; ++i) {
-      modes::FlightPiece piece(flight, search,
-                               flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
+      trajectory::MotionPiece& piece =
+          search.piece(flight.start_time() + std::pow(10.0, between(generator, -3.0, 1.5)));
       StatesOnly states(piece);
       const auto expected = states.nearest_pass(INFINITY, point);
       const auto found = piece.nearest_pass(INFINITY, point);
@@ -160,8 +160,7 @@ TEST(FlightSamples, ALongFlightIsLookedAtInPartsAndAnEndlessOneAsFarAsWorkIsAllo
     if (rotor.damping_ratio > 0.0 || rotor.speed_ratio != 0.62) return;
     const auto nearest_until = [&](double time, modes::WorkMeter& meter) {
       modes::TouchdownSearch search(flight, kBlades, meter);
-      return modes::FlightPiece(flight, search, time)
-          .nearest_pass(INFINITY, {rotor.period(), rotor.speed_ratio, 3});
+      return search.piece(time).nearest_pass(INFINITY, {rotor.period(), rotor.speed_ratio, 3});
     };
     constexpr double kLong = 1e5;  // twelve times as many rows as are kept at once
     modes::WorkMeter meter;

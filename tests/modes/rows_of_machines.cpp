@@ -12,7 +12,6 @@
 
 #include "contact/pose.hpp"
 #include "modes/flight.hpp"
-#include "modes/flight_piece.hpp"
 #include "modes/flight_row.hpp"
 #include "modes/touchdown_search.hpp"
 #include "modes/work_meter.hpp"
@@ -86,7 +85,7 @@ TEST(FlightRows, ShowWhatListenersAskForOfAnyMachine) {
     modes::TouchdownSearch search(flight, random.blades, meter);
     const double begin = flight.start_time();
     const double end = begin + between(generator, 0.5, 10.0);
-    modes::FlightPiece piece(flight, search, end);
+    trajectory::MotionPiece& piece = search.piece(end);
 
     const trajectory::SampleTimes times{end, 3000};
     const int first = static_cast<int>(begin / times.spacing()) + 1;
