@@ -227,9 +227,9 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
     if (ending_.guard == Guard::under_load && ending_.blade == skims) return;
   }
   const auto place_ring = [this] {
+    if (!machine().ring.is_massless()) return;
     rotor::ContactState state = state_at(end_);
-    if (machine().ring.is_massless() && law_->place_ring(*whole_, touching_at(end_), state))
-      end_.bodies = rotor::bodies(state);
+    if (law_->place_ring(*whole_, touching_at(end_), state)) end_.bodies = rotor::bodies(state);
   };
   // To where the gap of a blade is zero: in time, and what is left, or all where the tip hardly moves against
   // the ring, the shortest way for the shaft.

@@ -67,7 +67,7 @@ class RigidLaw final : public LawOfBlades<RigidLaw, contact::ElasticRingContact>
   }
   [[nodiscard]] contact::TipForce force(const Touch& touch, const TipPlace& at) const override {
     contact::TipForce result = of(touch.blade).force(at.pose, touch.slip, at.speed);
-    if (touch.slip == 0.0) {
+    if (touch.slip == 0.0 && touch.holding != 0.0) {
       const std::complex<double> tangent = contact::tangent(geometry(touch.blade), at.pose);
       const double friction = touch.holding * result.normal;
       result.radial -= friction * tangent.real();

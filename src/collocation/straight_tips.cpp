@@ -26,24 +26,25 @@ std::complex<double> StraightTips::tangent(int blade, const State& state) const 
 }
 
 void StraightTips::hold(const State& state, std::span<Touch> touching) const {
-  const auto force = [&](const Touch& touch) { return law_->force(touch, tip_place(touch.blade, state)); };
   std::complex<double> sum;
+  std::array<Touch*, contact::kMostAtRest> touches{};
+  std::array<double, contact::kMostAtRest> loads{};  // F [N]
+  std::size_t count = 0;
   for (Touch& touch : touching) {
     touch.holding = 0.0;
-    sum += contact::on_rotor(force(touch), direction(touch.blade, state));
+    const contact::TipForce force = law_->force(touch, tip_place(touch.blade, state));
+    sum += contact::on_rotor(force, direction(touch.blade, state));
+    if (touch.slip != 0.0 || count == contact::kMostAtRest) continue;
+    touches[count] = &touch;
+    loads[count++] = force.normal;
   }
   const std::complex<double> acceleration = machine().acceleration(state, sum).shaft;
   std::array<contact::AtRest, contact::kMostAtRest> tips{};
-  std::array<Touch*, contact::kMostAtRest> touches{};
-  std::size_t count = 0;
-  for (Touch& touch : touching) {
-    if (touch.slip != 0.0 || count == contact::kMostAtRest) continue;
-    touches[count] = &touch;
-    tips[count++] = {tangent(touch.blade, state), slip_acceleration(touch.blade, state, acceleration)};
-  }
+  for (std::size_t i = 0; i < count; ++i)
+    tips[i] = {tangent(touches[i]->blade, state), slip_acceleration(touches[i]->blade, state, acceleration)};
   contact::share_out(std::span(tips).first(count));
   for (std::size_t i = 0; i < count; ++i)
-    touches[i]->holding = tips[i].pull / (force(*touches[i]).normal * rotor().force_unit);
+    touches[i]->holding = tips[i].pull / (loads[i] * rotor().force_unit);
 }
 
 void StraightTips::bring_to_rest(std::span<const int> tips, State& state) const {

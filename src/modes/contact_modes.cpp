@@ -31,7 +31,6 @@ ContactModes::ContactModes(const rotor::Machine& machine, std::unique_ptr<Law> l
 
 bool ContactModes::place_ring(rotor::ShaftAndRing& bodies, double time, std::vector<OpenContact>& contacts,
                               const std::function<bool(int blade)>& touches) const {
-  if (machine().following_ring() == nullptr) return true;
   // Of R²: rounding of g where a touch-down or a lift-off has been located.
   constexpr double kGapRounding = 32.0 * std::numeric_limits<double>::epsilon();
   const double rounding = kGapRounding * ring_radius() * ring_radius();

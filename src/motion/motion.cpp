@@ -209,6 +209,7 @@ bool Motion::open(int blade, const modes::TipPlace& at) {
 }
 
 bool Motion::place_ring() {
+  if (machine_.following_ring() == nullptr) return true;
   return modes_.place_ring(state_, time_, contacts_, [this](int blade) { return open(blade, place(blade)); });
 }
 
