@@ -52,9 +52,8 @@ void ContactArc::skim(std::span<Touch> touching, const Point& point) const {
   skims.share = 1.0;
   const contact::Geometry geometry = law_->geometry(skims.blade);
   const contact::Pose there = pose(skims.blade, point);
-  skims.share = -rotor::free_gap_curvature(*whole_, geometry, direction(skims.blade, point.time), there,
-                                           state, others) /
-                rotor::pushed_gap_curvature(*whole_, geometry, there, force(skims, point));
+  skims.share = rotor::skimming_share(*whole_, geometry, direction(skims.blade, point.time), there, state,
+                                      others, force(skims, point));
 }
 
 /// The blade of the tip that skims, or none.

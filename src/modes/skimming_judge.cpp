@@ -30,8 +30,7 @@ std::optional<SkimmingJudge::Balance> SkimmingJudge::weigh(const State& state, O
   contact::Pose on_ring = at;
   on_ring.gap = 0.0;  // what rounding leaves of it would bend a blade of hardly any friction
   if (!law_->respond({on_ring, angular_speed(state)}, contact, force)) return std::nullopt;
-  const double share = -rotor::free_gap_curvature(machine(), geometry, er, at, state, others) /
-                       rotor::pushed_gap_curvature(machine(), geometry, at, force);
+  const double share = rotor::skimming_share(machine(), geometry, er, at, state, others, force);
   return Balance{contact::on_rotor(force, er), share, rotor::share_of(force, share)};
 }
 

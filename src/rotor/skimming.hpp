@@ -26,11 +26,14 @@ double free_gap_curvature(const Machine& machine, const contact::Geometry& geome
          2.0 * geometry.reach * machine.blades.angular_acceleration(state[kTime]) * at.tangential;
 }
 
-/// What the force of a tip adds to its g''.
-inline double pushed_gap_curvature(const Machine& machine, const contact::Geometry& geometry,
-                                   const contact::Pose& at, const contact::TipForce& force) {
-  return 2.0 * machine.closing_unit() *
-         ((at.radial + geometry.reach) * force.radial + at.tangential * force.tangential);
+/// λ of a tip with this force.
+template <class FullState>
+double skimming_share(const Machine& machine, const contact::Geometry& geometry,
+                      const contact::BladeDirection& er, const contact::Pose& at, const FullState& state,
+                      const std::complex<double>& others, const contact::TipForce& force) {
+  const double pushed = 2.0 * machine.closing_unit() *
+                        ((at.radial + geometry.reach) * force.radial + at.tangential * force.tangential);
+  return -free_gap_curvature(machine, geometry, er, at, state, others) / pushed;
 }
 
 /// A share of a force.
