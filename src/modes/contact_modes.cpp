@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "modes/rest_of_rigid_blades.hpp"
+#include "modes/skimming_judge.hpp"
 
 namespace rubatlas::modes {
 
@@ -13,9 +14,9 @@ ContactModes::ContactModes(const rotor::Machine& machine, std::unique_ptr<Law> l
                            const ContactLimits& limits, WorkMeter& meter, MakePhases* make_phases)
     : TipPlaces(machine, *law),
       own_law_(std::move(law)),
-      setup_{&machine, own_law_.get(), limits, &meter},
+      limits_(limits),
+      meter_(&meter),
       make_phases_(make_phases) {
-  if (law_->may_skim()) skimming_judge_.emplace(machine, *law_);
   if (law_->sticks()) {
     if (law_->is_rigid())
       judge_ = std::make_unique<RestOfRigidBlades>(machine, *law_);
@@ -26,7 +27,7 @@ ContactModes::ContactModes(const rotor::Machine& machine, std::unique_ptr<Law> l
   for (int k = 0; k < machine.blades.count(); ++k) {
     if (auto law_of_rest = law_->law_of_rest(k)) at_rest.push_back(*law_of_rest);
   }
-  if (!at_rest.empty()) tips_at_rest_.emplace(std::move(at_rest), setup_);
+  if (!at_rest.empty()) law_of_rest_.emplace(std::move(at_rest), false);
 }
 
 bool ContactModes::place_ring(rotor::ShaftAndRing& bodies, double time, std::vector<OpenContact>& contacts,
@@ -66,10 +67,24 @@ bool ContactModes::place_ring(rotor::ShaftAndRing& bodies, double time, std::vec
   return false;
 }
 
+bool ContactModes::begins_to_skim(const rotor::ContactState& state,
+                                  std::vector<OpenContact>& contacts) const {
+  // In tolerances: hops lower than this are replaced by their limit (MODEL 4.9). Their height may grow by
+  // some tens of tolerances while the force changes along the ring.
+  constexpr double kUnresolvedHop = 1.0;
+  if (!law_->may_skim()) return false;
+  const auto change_places = [&contacts] { std::swap(contacts.front(), contacts.back()); };
+  change_places();
+  const bool skims =
+      SkimmingJudge(machine(), *law_).begins(state, contacts, kUnresolvedHop * limits_.tolerance);
+  if (!skims) change_places();
+  return skims;
+}
+
 bool ContactModes::let_go(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
                           OpenContact& contact) {
-  if (!tips_at_rest_) return judge_ && judge_->let_go(state, contacts, contact);
-  tips_at_rest_->judge.leave_rest(contact, state);
+  if (!law_of_rest_) return judge_ && judge_->let_go(state, contacts, contact);
+  RestOfElasticBlades(machine(), *law_of_rest_).leave_rest(contact, state);
   return true;
 }
 

@@ -15,7 +15,6 @@
 #include "modes/phase.hpp"
 #include "modes/rest_judge.hpp"
 #include "modes/rest_of_elastic_blades.hpp"
-#include "modes/skimming_judge.hpp"
 #include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
@@ -36,7 +35,8 @@ class ContactModes : public TipPlaces {
   [[nodiscard]] Phase& phase_of(const std::vector<OpenContact>& contacts) {
     const bool rests = under_law_of_rest(contacts);
     std::unique_ptr<ContactPhases>& phases = rests ? resting_ : phases_;
-    if (phases == nullptr) phases = make_phases_(rests ? tips_at_rest_->setup : setup_);
+    if (phases == nullptr)
+      phases = make_phases_({machine_, rests ? &*law_of_rest_ : own_law_.get(), limits_, meter_});
     return phases->of(contacts);
   }
   /// Calls `use` with each phase that has been asked for.
@@ -52,8 +52,9 @@ class ContactModes : public TipPlaces {
     return static_cast<std::int64_t>(law_->evaluations()) * WorkPrice::kInclinedCurve;
   }
 
-  /// Of tips that may skim.
-  [[nodiscard]] const std::optional<SkimmingJudge>& skimming_judge() const { return skimming_judge_; }
+  /// Whether the blade that has just touched down, the last of these contacts, begins to skim. If so, it is
+  /// the first of them from here on.
+  bool begins_to_skim(const rotor::ContactState& state, std::vector<OpenContact>& contacts) const;
   /// Finds the place of a ring without mass, where its spring balances the blades in contact, and the
   /// contacts together: `touches` opens the contact of a blade that reaches into the ring at its place, and
   /// the contact of a blade that does not is closed. (The place jumps where friction reverses.) False where
@@ -68,7 +69,7 @@ class ContactModes : public TipPlaces {
   [[nodiscard]] RestJudge* rest_judge() const { return judge_.get(); }
   /// Tips that rest do so under another law, and those that slip beside them, too.
   [[nodiscard]] bool under_law_of_rest(const std::vector<OpenContact>& contacts) const {
-    return tips_at_rest_ && any_rests(contacts);
+    return law_of_rest_ && any_rests(contacts);
   }
   /// `RestJudge::let_go`, under whichever law the tip has been at rest.
   bool let_go(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
@@ -76,7 +77,7 @@ class ContactModes : public TipPlaces {
   /// The limit of slip reversals that accumulate: the tip comes to rest where friction can hold it. False,
   /// and it slips on, where friction cannot hold it yet.
   bool comes_to_rest(const rotor::ContactState& state, OpenContact& contact) const {
-    return tips_at_rest_ && tips_at_rest_->judge.come_to_rest(contact, state);
+    return law_of_rest_ && RestOfElasticBlades(machine(), *law_of_rest_).come_to_rest(contact, state);
   }
   /// A tip that has come loose and slips against s, as its velocity errs by the tolerance, would slip back to
   /// where it was: puts the shaft's velocity where v = 0.
@@ -90,25 +91,14 @@ class ContactModes : public TipPlaces {
   }
 
  private:
-  /// Tips that always slip, and come to rest where their slip reversals accumulate, under another law.
-  struct TipsAtRest {
-    /// `slipping`: what the modes of the slipping tips are made from.
-    TipsAtRest(collocation::InclinedLaw::Blades blades, const ContactSetup& slipping)
-        : law(std::move(blades), false),
-          setup{slipping.machine, &law, slipping.limits, slipping.meter},
-          judge(*slipping.machine, law) {}
-    collocation::InclinedLaw law;
-    ContactSetup setup;
-    RestOfElasticBlades judge;  ///< points at the law
-  };
-
   std::unique_ptr<Law> own_law_;
-  ContactSetup setup_;
+  /// Of tips that always slip, and come to rest where their slip reversals accumulate.
+  std::optional<collocation::InclinedLaw> law_of_rest_;
+  ContactLimits limits_;
+  WorkMeter* meter_;
   MakePhases* make_phases_;
   std::unique_ptr<ContactPhases> phases_, resting_;  ///< once they are asked for
   std::unique_ptr<RestJudge> judge_;                 ///< of tips that stick
-  std::optional<TipsAtRest> tips_at_rest_;
-  std::optional<SkimmingJudge> skimming_judge_;
 };
 
 }  // namespace rubatlas::modes

@@ -10,9 +10,6 @@ namespace rubatlas::motion {
 
 namespace {
 
-/// In tolerances: hops lower than this are replaced by their limit (MODEL 4.9). Their height may grow by some
-/// tens of tolerances while the force changes along the ring.
-constexpr double kUnresolvedHop = 1.0;
 /// τ: the slip reversals of a tip accumulate where the tip reverses its slip and reverses it again within
 /// this time. Each cycle of an accumulating sequence is a fixed share of the one before. Among 4800 reversals
 /// of randomly kicked rotors all cycles this short belonged to such sequences.
@@ -22,8 +19,7 @@ constexpr double kShortestCycle = 1e-9;
 
 Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings)
     : machine_(std::move(machine)),
-      limits_(settings.limits),
-      modes_(machine_, std::move(law), limits_, meter_, settings.make_phases),
+      modes_(machine_, std::move(law), settings.limits, meter_, settings.make_phases),
       flight_(machine_),
       search_(flight_, geometries(), meter_),
       reversals_(static_cast<std::size_t>(machine_.blades.count())) {
@@ -157,20 +153,10 @@ ending::StatusDetail Motion::begin_mode() {
   const bool touches_down = std::exchange(ended_by_, std::nullopt) == modes::Guard::touch_down;
   phase_ = nullptr;
   if (contacts_.empty()) return ending::StatusDetail::none;
-  if (touches_down && !modes::any_rests(contacts_) && begins_to_skim()) contacts_.front().skims = true;
+  if (touches_down && !modes::any_rests(contacts_) && modes_.begins_to_skim(unbent(), contacts_))
+    contacts_.front().skims = true;
   phase_ = &modes_.phase_of(contacts_);
   return phase_->start(time_, state_, contacts_);
-}
-
-/// Whether the blade that has just touched down begins to skim. If so, it is the first of the contacts.
-bool Motion::begins_to_skim() {
-  const auto& judge = modes_.skimming_judge();
-  if (!judge) return false;
-  const auto change_places = [this] { std::swap(contacts_.front(), contacts_.back()); };
-  change_places();
-  const bool skims = judge->begins(unbent(), contacts_, kUnresolvedHop * limits_.tolerance);
-  if (!skims) change_places();
-  return skims;
 }
 
 // Contacts.

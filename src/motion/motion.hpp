@@ -50,7 +50,6 @@ class Motion final : public PointMotion {
   modes::ModeEnd touch(double period, modes::MotionListener& listener);
   ending::StatusDetail finish_revolution(double period);
   ending::StatusDetail begin_mode();
-  bool begins_to_skim();
 
   // Contacts.
   [[nodiscard]] const modes::Law& law() const { return modes_.law(); }
@@ -78,7 +77,6 @@ class Motion final : public PointMotion {
   ending::StatusDetail reverse_slip(Contact contact, modes::MotionListener& listener);
 
   rotor::Machine machine_;
-  modes::ContactLimits limits_;
   modes::WorkMeter meter_;
   modes::ContactModes modes_;
   modes::Flight flight_;
