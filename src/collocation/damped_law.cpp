@@ -35,7 +35,7 @@ std::optional<Touch> DampedLaw::in_equilibrium(const Touch& touch, const TipPlac
     there.gap -= contact::widening(found.yielding, law.geometry().ring_radius);
   if (touch.touches_down() && starts_unloaded(touch.blade, touch.slip, there)) return found;
   contact::TipForce force{};
-  if (!law.respond(there, touch.slip, at.speed, found.yielding, found.bending, force)) return std::nullopt;
+  if (!law.blade().respond(there, touch.slip, at.speed, found.bending, force)) return std::nullopt;
   found.just_bent = touch.touches_down();
   return found;
 }

@@ -91,7 +91,7 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
     std::complex<double> force;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       double& rate = derivative[place_of(i)];
-      if (!find_force(state, first, contacts_[i], state[place_of(i)], forces_[i], rate)) return false;
+      if (!find_force(state, contacts_[i], state[place_of(i)], forces_[i], rate)) return false;
       force += contact::on_rotor(forces_[i], blades().direction(contacts_[i].blade, first));
     }
     acceleration_ = machine().acceleration(state, force);
@@ -112,7 +112,7 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
     if (is_stopped()) return force;
     OpenContact guess = contacts_[contact];
     double rate = 0.0;
-    find_force(state, blades().first(state[rotor::kTime]), guess, state[place_of(contact)], force, rate);
+    find_force(state, guess, state[place_of(contact)], force, rate);
     return force;
   }
   [[nodiscard]] OpenContact contact_in(std::size_t contact, const FullState& state) const {
@@ -174,12 +174,17 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
   /// |rk|² − (R + y)² [m²] of an open contact.
   [[nodiscard]] double gap_to_ring(std::size_t contact, const FullState& state) const {
     const OpenContact& open = contacts_[contact];
-    return pose(open.blade, state).gap -
-           contact::widening(state[place_of(contact)], law_->geometry(open.blade).ring_radius);
+    return in_circle(open.blade, state, state[place_of(contact)]).gap;
+  }
+  /// Where a blade stands in the circle R + y.
+  [[nodiscard]] contact::Pose in_circle(int blade, const FullState& state, double yielding) const {
+    contact::Pose at = pose(blade, state);
+    at.gap -= contact::widening(yielding, ring_radius());
+    return at;
   }
   /// The force of a contact, and dy/dτ there. False where there is none.
-  bool find_force(const FullState& state, const contact::BladeDirection& first, OpenContact& open,
-                  double yielding, contact::TipForce& force, double& rate) const {
+  bool find_force(const FullState& state, OpenContact& open, double yielding, contact::TipForce& force,
+                  double& rate) const {
     const contact::ElasticBladeOnDampedRing& law = of(open.blade);
     const double speed = blades().angular_speed(state[rotor::kTime]);
     if (open.straight) {
@@ -187,9 +192,8 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
       rate = law.yielding_rate(force.normal, yielding);
       return true;
     }
-    const contact::Pose at = rotor::pose_of(rotor(), law.geometry_at(yielding),
-                                            blades().direction(open.blade, first), rotor::from_ring(state));
-    const bool found = law.respond(at, open.slip, speed, yielding, open.bending, force);
+    const contact::Pose at = in_circle(open.blade, state, yielding);
+    const bool found = law.blade().respond(at, open.slip, speed, open.bending, force);
     rate = law.yielding_rate(force.normal, yielding);
     return pay_curves() && found;
   }

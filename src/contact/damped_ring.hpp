@@ -29,19 +29,16 @@ class ElasticBladeOnDampedRing {
 
   [[nodiscard]] const Geometry& geometry() const { return blade_.geometry(); }
   [[nodiscard]] Friction friction() const { return blade_.friction(); }
-  [[nodiscard]] const ElasticaContact& blade() const { return blade_; }  ///< in a ring that does not yield
+  /// Its equilibria, in a ring of any radius: that is read from the gap of its pose alone.
+  [[nodiscard]] const ElasticaContact& blade() const { return blade_; }
   [[nodiscard]] const ElasticRingContact& straight() const { return straight_; }  ///< where it does not bend
   /// The same blade, shorter at its tip by `lost` [m].
   [[nodiscard]] ElasticBladeOnDampedRing shortened(double lost) const {
     return {blade_.shortened(lost), straight_.stiffness(), straight_.damping()};
   }
   /// How often the curve has been evaluated.
-  [[nodiscard]] std::uint64_t evaluations() const { return blade_.evaluations() + evaluations_; }
+  [[nodiscard]] std::uint64_t evaluations() const { return blade_.evaluations(); }
 
-  /// The ring's circle under a tip where it yields by y [m].
-  [[nodiscard]] Geometry geometry_at(double yielding) const {
-    return {geometry().reach, geometry().ring_radius + yielding};
-  }
   /// dy/dτ [m per unit τ] under a load F [N].
   [[nodiscard]] double yielding_rate(double load, double yielding) const {
     return (load - straight_.stiffness() * yielding) / straight_.damping();
@@ -58,25 +55,14 @@ class ElasticBladeOnDampedRing {
       return blade_.curve().friction() > 0.0 ? 0.0 : blade::kEulerLoad * blade_.load_unit();
     Pose touching = at;
     touching.gap = 0.0;
-    const double yielding = magnitude(unbent_tip(geometry(), at)) - geometry().ring_radius;
     double bending = 0.0;
     TipForce force{};
-    return respond(touching, slip, angular_speed, yielding, bending, force) ? force.normal : 0.0;
-  }
-  /// Force of the blade in the ring that yields by y; `at`: its pose there (`geometry_at`). False where the
-  /// blade has no equilibrium.
-  bool respond(const Pose& at, double slip, double angular_speed, double yielding, double& bending,
-               TipForce& force) const {
-    const ElasticaContact blade = blade_.in_ring(geometry_at(yielding).ring_radius);
-    const bool found = blade.respond(at, slip, angular_speed, bending, force);
-    evaluations_ += blade.evaluations();
-    return found;
+    return blade_.respond(touching, slip, angular_speed, bending, force) ? force.normal : 0.0;
   }
 
  private:
   ElasticaContact blade_;
   ElasticRingContact straight_;
-  mutable std::uint64_t evaluations_ = 0;  ///< of curves in a ring that yields; no result depends on it
 };
 
 }  // namespace rubatlas::contact

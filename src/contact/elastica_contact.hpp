@@ -117,14 +117,6 @@ class ElasticaContact : public ElasticBladeInRing {
     return {geometry_.shortened(lost), blade(lost), curve_, ring_};
   }
 
-  /// The same blade in a ring of another radius [m], its evaluations not yet counted.
-  [[nodiscard]] ElasticaContact in_ring(double radius) const {
-    ElasticaContact other = *this;
-    other.geometry_.ring_radius = radius;
-    other.evaluations_ = 0;
-    return other;
-  }
-
   /// Whether a contact on the receding side goes on while it has a force, with g < 0.
   [[nodiscard]] bool releases_at_fold() const { return ring_.release == Release::at_fold; }
   /// A column that something gives way in series with: up to its Euler load it is compressed straight.
