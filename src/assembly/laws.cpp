@@ -86,7 +86,7 @@ std::unique_ptr<collocation::Law> law_of_axial_loads(const LineRequest& request)
   contact::Ring ring;
   if (consumed.contains<&Effects::yielding_ring>())
     ring.stiffness = 1.0 / request.line.yielding_ring->compliance;
-  if (consumed.contains<&Effects::release>()) ring.release = contact::Release::at_fold;
+  ring.releases_at_fold = consumed.contains<&Effects::release>();
   return of_blades<collocation::AxialLaw>(request, [&](const auto& geometry, const auto& blade) {
     return contact::ElasticaContact(geometry, variation::blade_of(blade), curve_of(request, blade), ring);
   });

@@ -7,7 +7,7 @@
 ///
 /// The ring may yield under each tip, in series with the blade,
 ///     h = a² + b² − (R + F/kr)²
-/// and says where a contact ends (`Release`). The paper's ring does not yield, and a contact ends at it.
+/// and says where a contact ends. The paper's ring does not yield, and a contact ends at it.
 ///
 /// Branches. Where something gives way in series with the bending (axial compliance, a ring that yields) h
 /// may fall with the load, rise and fall again on the receding side: the blade stands compressed, or bent,
@@ -36,17 +36,13 @@
 
 namespace rubatlas::contact {
 
-/// Where a contact ends.
-enum class Release : std::uint8_t {
-  at_ring,  ///< where the undeformed tip leaves the ring, g = 0 (MODEL 4.1)
-  at_fold   ///< where the force does: at u = 0, or at the fold ∂h/∂u = 0 beyond which there is no root
-};
-
 /// The ring, the paper's unless it is said to be another.
 struct Ring {
   double stiffness = std::numeric_limits<double>::infinity();  ///< kr > 0 [N/m], under each tip by itself
                                                                ///< (MODEL 4.7); infinite: rigid
-  Release release = Release::at_ring;
+  /// A contact ends where the force does, at u = 0, or at the fold ∂h/∂u = 0 beyond which there is no root.
+  /// Else where the undeformed tip leaves the ring, g = 0 (MODEL 4.1).
+  bool releases_at_fold = false;
 };
 
 /// What a law knows of an elastic blade.
@@ -118,7 +114,7 @@ class ElasticaContact : public ElasticBladeInRing {
   }
 
   /// Whether a contact on the receding side goes on while it has a force, with g < 0.
-  [[nodiscard]] bool releases_at_fold() const { return ring_.release == Release::at_fold; }
+  [[nodiscard]] bool releases_at_fold() const { return ring_.releases_at_fold; }
   /// A column that something gives way in series with: up to its Euler load it is compressed straight.
   [[nodiscard]] bool may_stand_straight() const { return !(friction_ > 0.0) && has_branches(); }
   /// Whether h = 0 may have more than one root where a blade can stand.

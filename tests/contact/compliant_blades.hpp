@@ -14,7 +14,7 @@
 namespace rubatlas::contact {
 
 using blade::Theory;
-inline constexpr Ring kReleasedAtFold{.release = Release::at_fold};
+inline constexpr Ring kReleasedAtFold{.releases_at_fold = true};
 
 inline constexpr double kYoungsModulus = 206e9;
 inline constexpr double kWidth = 0.01;

@@ -62,7 +62,7 @@ TEST(ReleaseAtFold, IsTheSameLawWhileTheTipIsInTheRing) {
 
 TEST(ReleaseAtFold, NeverHoldsATipOnTheApproachingSide) {
   const ElasticaContact law = make({0.1}, kReleasedAtFold);
-  const auto yielding = make({0.1, 1.0}, Ring{1e4, Release::at_fold});
+  const auto yielding = make({0.1, 1.0}, Ring{1e4, true});
   for (const double lateral : {1e-6, 1e-3, 5e-3}) {
     for (const double gap : {-1e-15, -1e-9, -1e-6}) {
       Pose at = pressed_tip(0.0, lateral);

@@ -169,7 +169,7 @@ TEST(Guards, SlipOfATipThatIsHeldUntilItsForceEndsMayDipBelowZero) {
                     -0.023620726224428068};
   const contact::ElasticaContact law(
       rotor.geometry(), {rotor.length, rotor.thickness, rotor.bending_stiffness},
-      std::make_shared<blade::ElasticaCurve>(rotor.friction), {.release = contact::Release::at_fold});
+      std::make_shared<blade::ElasticaCurve>(rotor.friction), {.releases_at_fold = true});
   const auto motion = [&](double tolerance) {
     rotor.tolerance = tolerance;
     return follow(rotor, law, kNoForcing, start, 1, kNoPiece);

@@ -13,9 +13,8 @@ namespace rubatlas::test::compliant {
 
 using blade::Theory;
 using contact::ElasticaContact;
-using contact::Release;
 using contact::Ring;
-inline constexpr Ring kReleasedAtFold{.release = Release::at_fold};
+inline constexpr Ring kReleasedAtFold{.releases_at_fold = true};
 
 inline constexpr contact::Geometry kGeometry{0.1, 0.11};
 inline constexpr double kLength = 0.1;

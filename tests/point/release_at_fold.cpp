@@ -60,7 +60,7 @@ Releases expect_releases_at_the_fold(const Law& law, double speed_ratio, int bla
 TEST(ReleaseAtFold, EndsContactsWhereTheForceDoes) {
   Releases all;
   int in_yielding_ring = 0;
-  const auto yielding = make(0.1, 1.0, Theory::elastica, Ring{1e7, Release::at_fold});
+  const auto yielding = make(0.1, 1.0, Theory::elastica, Ring{1e7, true});
   for (const auto& [speed, blades] : {std::pair{0.36, 10}, std::pair{0.5, 3}, std::pair{0.75, 10},
                                       std::pair{0.3, 10}, std::pair{0.36, 20}, std::pair{0.9, 10}}) {
     for (const double friction : {0.0, 0.1, 0.3}) {
