@@ -19,7 +19,7 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
   using ending::StatusDetail;
   contacts_ = contacts;
   pending_ = false;
-  const std::uint64_t evaluations = law_->evaluations();
+  const std::uint64_t evaluations = law_->leans() ? law_->evaluations() : 0;
   at_once_.reset();
   for (OpenContact& open : contacts_) {
     const TipPlace at = arc_.tip_place(open.blade, {.time = time, .bodies = state, .bending = {}});
@@ -121,12 +121,16 @@ void Collocated::shift_time(double period) {
 }
 
 void Collocated::hand_over(double& time, rotor::ShaftAndRing& bodies, std::vector<OpenContact>& contacts) {
-  contacts = contacts_;
-  if (at_once_) return;
+  if (at_once_) {
+    contacts = contacts_;
+    return;
+  }
+  const auto take = [&](const Point& there) {
+    for (OpenContact& open : contacts) open = arc_.touch_of(open.blade, there);
+  };
   time = pending_ ? piece_end_ : arc_.end().time;
   bodies = pending_ ? arc_.solved_at(time).bodies : arc_.end().bodies;
-  const Point there = pending_ ? arc_.point_at(arc_.fraction_at(time)) : arc_.end();
-  for (OpenContact& open : contacts) open = arc_.touch_of(open.blade, there);
+  pending_ ? take(arc_.point_at(arc_.fraction_at(time))) : take(arc_.end());
 }
 
 void Collocated::places(const trajectory::SampleTimes& times, int first, std::span<double> x,

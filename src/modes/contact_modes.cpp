@@ -72,7 +72,6 @@ bool ContactModes::begins_to_skim(const rotor::ContactState& state,
   // In tolerances: hops lower than this are replaced by their limit (MODEL 4.9). Their height may grow by
   // some tens of tolerances while the force changes along the ring.
   constexpr double kUnresolvedHop = 1.0;
-  if (!law_->may_skim()) return false;
   const auto change_places = [&contacts] { std::swap(contacts.front(), contacts.back()); };
   change_places();
   const bool skims =

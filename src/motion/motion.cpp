@@ -153,7 +153,8 @@ ending::StatusDetail Motion::begin_mode() {
   const bool touches_down = std::exchange(ended_by_, std::nullopt) == modes::Guard::touch_down;
   phase_ = nullptr;
   if (contacts_.empty()) return ending::StatusDetail::none;
-  if (touches_down && !modes::any_rests(contacts_) && modes_.begins_to_skim(unbent(), contacts_))
+  if (touches_down && law().may_skim() && !modes::any_rests(contacts_) &&
+      modes_.begins_to_skim(unbent(), contacts_))
     contacts_.front().skims = true;
   phase_ = &modes_.phase_of(contacts_);
   return phase_->start(time_, state_, contacts_);
