@@ -38,7 +38,8 @@ class Phase : public trajectory::MotionPiece {
   /// Sets the time back by a revolution.
   virtual void shift_time(double period) = 0;
 
-  /// Where it has advanced to, from where another phase or motion goes on.
+  /// Where it has advanced to, with the contacts that it has started with: from there another phase or motion
+  /// goes on.
   virtual void hand_over(double& time, rotor::ShaftAndRing& bodies, std::vector<OpenContact>& contacts) = 0;
 
   /// Right-hand sides and steps since the phase was made.
