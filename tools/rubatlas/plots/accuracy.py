@@ -214,11 +214,11 @@ def draw(options):
     options.output.mkdir(parents=True, exist_ok=True)
     if options.reference:
         study.require_reference(options.reference)
+    draw_trajectories(study, options)
+    draw_map(maps, options)
     text = report(study, maps, options)
     if options.page:
         put_into_page(options.page, text)
-    draw_trajectories(study, options)
-    draw_map(maps, options)
     print(text)
 
 
