@@ -19,9 +19,9 @@ namespace {
 /// place.
 constexpr double kTimeResolution = 2.0 * std::numeric_limits<double>::epsilon();
 constexpr double kDoubt = 10.0;  ///< of the rounding of a gap: below it a row does not tell
-/// The first spacing of rows [τ]: a few rows reach from contact to contact, and the remainder is small
-/// against usual gaps.
-constexpr double kSpacing = 0.3;
+/// The first spacing of rows [τ]: one or two rows reach from contact to contact, and finer rows are seldom
+/// asked for.
+constexpr double kSpacing = 0.75;
 /// The remainder of a row is to be smaller than this share of R times the length scale; a gap is 2R times a
 /// distance.
 constexpr double kLargestRemainder = 1.0 / 8.0;
@@ -41,7 +41,8 @@ TouchdownSearch::TouchdownSearch(const Flight& flight, std::vector<contact::Geom
       farthest_(std::ranges::max(blades_, {}, &contact::Geometry::reach).reach),
       turning_(turning_bounds(machine_->blades)),
       first_spacing_(kSpacing / std::max(1.0, std::abs(machine_->constants.speed_ratio))),
-      first_doubts_(blades_.size()) {}
+      first_doubts_(blades_.size()),
+      crossings_(blades_.size()) {}
 
 std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find_by_steps(double until) {
   std::optional<Touchdown> touchdown;
@@ -95,11 +96,11 @@ TouchdownSearch::Outlook TouchdownSearch::outlook(double time, const rotor::Shaf
   };
   double spacing = first_spacing_;
   while (spacing > kClosest * first_spacing_ && !suits(spacing)) spacing *= 0.5;
-  FlightRow& row = rows_by_spacing_.try_emplace(spacing, *machine_, spacing).first->second;
-  return {in_pieces ? time + renewed : until, fourth, &row};
+  return {in_pieces ? time + renewed : until, fourth, &row_of(spacing)};
 }
 
-/// In rows of times, and in steps only where a row leaves a doubt.
+/// In rows of times; where one leaves open whether a tip touches in an interval, in a finer row of that
+/// interval, and in steps only where this leaves it open, too.
 std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
   double time = flight_->start_time();
   rotor::ShaftAndRing bodies = flight_->at_start();
@@ -109,6 +110,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
   if (bound + std::abs(machine_->constants.misalignment) <= ring_radius_ - farthest_) return std::nullopt;
   const std::int64_t price = price_of_row();
   Outlook ahead = outlook(time, bodies, until, false);
+  double fine_until = time;  // the end of an interval that a finer row looks at
   for (int rows = 1; time < until; ++rows) {
     if (!meter_->spend(Work::flight, price)) return std::nullopt;
     FlightRow& row = *ahead.row;
@@ -119,23 +121,35 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
       first_doubts_[k] = row.first_doubt(gaps[k], rounding_);
       doubt = std::min(doubt, first_doubts_[k]);
     }
-    if (keeps_rows_ && rows_.size() < kMostRows)
-      rows_.push_back({time, row.spacing(), std::min(doubt + 1, kTimesOfRow)});
+    bool is_open = false;  // a tip may touch in that interval, or not
+    for (std::size_t k = 0; k < gaps.size() && doubt < kTimesOfRow; ++k) {
+      if (first_doubts_[k] > doubt) continue;
+      crossings_[k] = row.only_crossing(gaps[k], doubt, rounding_);
+      is_open = is_open || !crossings_[k];
+    }
+    const bool refines = is_open && !(time < fine_until);
+    const int passed = doubt == kTimesOfRow || refines ? doubt : doubt + 1;
+    if (keeps_rows_ && passed > 0 && rows_.size() < kMostRows) rows_.push_back({time, row.spacing(), passed});
     if (doubt > 0) {
       time += doubt * row.spacing();
       bodies = rows % kRowsFromClosedForm != 0 ? row.state(doubt - 1) : flight_->state(time);
     }
+    if (time >= until) break;
+    if (refines) {
+      fine_until = time + row.spacing();
+      ahead.row = &row_of(row.spacing() / kTimesOfRow);
+      continue;
+    }
     if (doubt < kTimesOfRow) {
-      if (time >= until) break;
       const double end = std::min(time + row.spacing(), until);
       std::optional<Touchdown> touchdown;
       for (std::size_t k = 0; k < gaps.size(); ++k) {
         if (first_doubts_[k] > doubt) continue;
         const int blade = static_cast<int>(k);
-        const auto guess = row.only_crossing(gaps[k], doubt, rounding_);
         const double before = touchdown ? touchdown->time : end;
-        const auto touch = guess ? by_newton(blade, time, time + row.spacing(), time + *guess, before)
-                                 : by_steps(geometry(blade), blade, time, bodies, before);
+        const auto touch = crossings_[k]
+                               ? by_newton(blade, time, time + row.spacing(), time + *crossings_[k], before)
+                               : by_steps(geometry(blade), blade, time, bodies, before);
         if (touch) touchdown = touch;
       }
       if (meter_->ended()) return std::nullopt;
@@ -144,7 +158,8 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
       bodies = flight_->state(time);
     }
     const double next_end = time + kTimesOfRow * row.spacing();
-    if (time < until && (row.spacing() < first_spacing_ || (next_end > ahead.until && ahead.until < until)))
+    if (time < until && !(time < fine_until) &&
+        (row.spacing() < first_spacing_ || (next_end > ahead.until && ahead.until < until)))
       ahead = outlook(time, bodies, until, false);
   }
   return std::nullopt;

@@ -22,7 +22,8 @@ namespace rubatlas::modes {
 
 /// Finds the first touch-down of a flight: in rows of times, and in the first interval of a row that leaves a
 /// doubt, of each blade that may touch in it, by Newton's method where its gap certainly rises meanwhile,
-/// else in steps that its tip cannot outrun. These shrink towards a touch-down, and end there.
+/// else in a finer row, and last in steps that its tip cannot outrun. These shrink towards a touch-down, and
+/// end there.
 ///
 /// Also the piece of motion that is being recorded: the flight, with the tips that it knows.
 class TouchdownSearch final : public trajectory::PieceWithoutContact {
@@ -97,6 +98,9 @@ class TouchdownSearch final : public trajectory::PieceWithoutContact {
   /// `shows_passes`: the cubics of the rows show where tips pass, besides what may touch.
   [[nodiscard]] Outlook outlook(double time, const rotor::ShaftAndRing& bodies, double until,
                                 bool shows_passes);
+  FlightRow& row_of(double spacing) {
+    return rows_by_spacing_.try_emplace(spacing, *machine_, spacing).first->second;
+  }
   std::span<const FlightRow::Gaps> read(FlightRow& row, double time, const rotor::ShaftAndRing& bodies,
                                         double fourth_bound);
   std::optional<Touchdown> by_newton(int blade, double from, double to, double guess, double until);
@@ -134,8 +138,9 @@ class TouchdownSearch final : public trajectory::PieceWithoutContact {
   double rounding_;     ///< of gaps: below it a row does not tell [m²]
   double farthest_;     ///< the longest reach of a blade [m]
   rotor::DerivativeBounds turning_;
-  double first_spacing_;           ///< of rows [τ]
-  std::vector<int> first_doubts_;  ///< of the blades in a row
+  double first_spacing_;                          ///< of rows [τ]
+  std::vector<int> first_doubts_;                 ///< of the blades in a row
+  std::vector<std::optional<double>> crossings_;  ///< of those that may touch first
   std::map<double, FlightRow> rows_by_spacing_;
   bool keeps_rows_ = false;
   std::vector<KeptRow> rows_;          ///< found along the flight, where they are kept
