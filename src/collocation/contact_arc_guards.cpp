@@ -236,14 +236,16 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   const auto goes_on_to_ring = [&](int blade) {
     constexpr int kTimes = 2;
     constexpr double kFarthest = 0.1;  // of the interval
-    for (int i = 0; i < kTimes; ++i) {
-      const contact::Pose there = pose(blade, end_);
+    contact::Pose there = pose(blade, end_);
+    const double rounding = contact::gap_rounding(law_->geometry(blade), there);
+    for (int i = 0; i < kTimes && (i == 0 || std::abs(there.gap) > rounding); ++i) {
       const double late = -there.gap / gap_rate_at_end(blade, there);
       if (std::abs(late) < kFarthest * interval.elapsed.at_end()) move(end_, interval, late);
       place_ring();
+      there = pose(blade, end_);
     }
     const double radius = machine().ring_radius;
-    const double left = pose(blade, end_).gap / (2.0 * radius);
+    const double left = there.gap / (2.0 * radius);
     if (!(std::abs(left) < tolerance_)) return;
     const contact::BladeDirection er = direction(blade, end_.time);
     const rotor::State seen = rotor::from_ring(end_.bodies);
