@@ -195,21 +195,24 @@ std::string exponents_text(const Findings& found) {
       fmt::join(places, "; "), disagree > places.size() ? "; …" : "");
 }
 
-}  // namespace
-
-std::string contact_law(const settings::Scene& scene) {
-  if (scene.contact.law == settings::ContactLaw::elastica) return "elastica";
+std::string contact_law_text(const settings::Scene& scene) {
+  if (scene.contact.law != settings::ContactLaw::elastic_ring) {
+    const bool small = scene.contact.law == settings::ContactLaw::beam_column;
+    const bool yields = effects::acts<&effects::Effects::yielding_ring>(scene);
+    return fmt::format("{} (elastic blades{}, {} ring)", small ? "beam_column" : "elastica",
+                       small ? " of small slopes" : "", yields ? "yielding" : "stiff");
+  }
   const auto stiffness = settings::values_in(scene, "/ring/stiffness");
-  if (stiffness.size() == 1) return fmt::format("elastic_ring, {:g} N/m", stiffness.front());
-  return fmt::format("elastic_ring, {:g} to {:g} N/m", stiffness.front(), stiffness.back());
+  const std::string range = stiffness.size() == 1 ? "" : fmt::format(" to {:g}", stiffness.back());
+  return fmt::format("elastic_ring, {:g}{} N/m (rigid blades, yielding ring)", stiffness.front(), range);
 }
+
+}  // namespace
 
 std::vector<std::string> facts(const Findings& found) {
   std::vector<std::string> sentences;
-  const bool elastica = found.scene.contact.law == settings::ContactLaw::elastica;
-  sentences.push_back(fmt::format("Contact law: {} ({}); {} blades.", contact_law(found.scene),
-                                  elastica ? "elastic blades, stiff ring" : "rigid blades, yielding ring",
-                                  found.scene.blades.count));
+  sentences.push_back(
+      fmt::format("Contact law: {}; {} blades.", contact_law_text(found.scene), found.scene.blades.count));
   sentences.push_back(grid_text(found));
   sentences.push_back(points_text(found));
   if (found.has_sections) {

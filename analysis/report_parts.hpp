@@ -45,7 +45,4 @@ std::string border_text(std::uint8_t region_ends, std::uint8_t region_begins);
 /// "As ζ grows (μ = 0.1, me = 0 kg m, h = 1 mm)".
 std::string heading(const Findings& found, const Sensitivity& sensitivity);
 
-/// "elastica" or "elastic_ring, 10000 N/m".
-std::string contact_law(const settings::Scene& scene);
-
 }  // namespace rubatlas::analysis

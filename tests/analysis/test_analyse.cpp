@@ -219,6 +219,21 @@ TEST_F(Analyse, PrintsRegionsAndSensitivitiesAndWritesThemAsMarkdown) {
   }
 }
 
+TEST_F(Analyse, SaysWhatBendsAndWhatYieldsUnderEachContactLaw) {
+  for (const auto& [section, said] :
+       {std::pair{R"("contact": {"law": "elastic_ring"})",
+                  "elastic_ring, 10000 N/m (rigid blades, yielding ring)"},
+        std::pair{R"("contact": {"law": "beam_column"})",
+                  "beam_column (elastic blades of small slopes, stiff ring)"},
+        std::pair{R"("yielding_ring": {"compliance": 1e-3})", "elastica (elastic blades, yielding ring)"}}) {
+    write_atlas(file("atlas.h5"), with(kScene, R"("reference": "none")", section), papers_point);
+    const auto text = run("atlas.h5");
+    EXPECT_NE(text.find(said), std::string::npos) << said << "\nin\n" << text;
+    std::filesystem::remove(file("atlas.h5"));
+    std::filesystem::remove(file("maps.h5"));
+  }
+}
+
 TEST_F(Analyse, SaysWhereBladesTouch) {
   const auto scene = with(with(kScene, R"("reference": "none",)", R"("rotor": {"mass": 2},)"),
                           R"("max_displacement"])", R"("max_displacement", "contact_fraction"])");
