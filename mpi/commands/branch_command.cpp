@@ -74,8 +74,11 @@ double limit_of(const settings::Axis& axis, double limit, std::string_view optio
 }
 
 std::string sentence_of(const branch::Event& event, std::string_view name) {
-  std::string text = fmt::format("{} at {} = {:.10g}, period {}", branch::word_of(event.kind), name,
-                                 event.orbit.quantities.front(), event.orbit.period);
+  const double value = event.orbit.quantities.front();
+  std::string text = fmt::format("{} at {} = {:.10g}", branch::word_of(event.kind), name, value);
+  constexpr double kLastDigit = 1e-10;  // of the value
+  if (event.uncertainty > kLastDigit * std::abs(value)) text += fmt::format(" ± {:.1g}", event.uncertainty);
+  text += fmt::format(", period {}", event.orbit.period);
   if (event.kind == branch::EventKind::grazing) {
     text += event.side == observables::GrazingSide::receding ? ", on the receding side"
                                                              : ", on the approaching side";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <utility>
 
 namespace rubatlas::branch {
 
@@ -70,6 +71,65 @@ void add_bifurcations(Corrector& corrector, const OnBranch& from, const OnBranch
   find(EventKind::fold, [](const OnBranch& state) { return state.tangent[4]; });
   for (const EventKind kind : {EventKind::period_doubling, EventKind::neimark_sacker})
     find(kind, [kind](const OnBranch& state) { return test_function(kind, state.orbit); });
+}
+
+namespace {
+
+/// By how much the motion differs, half of the period later, from where it starts [scaled]; zero where the
+/// period is odd.
+Eigen::Vector4d half_a_period_on(Shooting& shooting, const Orbit& orbit) {
+  if (orbit.period % 2 != 0 || !orbit.admissible) return Eigen::Vector4d::Zero();
+  const Unknowns start = shooting.scaled(orbit.section, orbit.quantities);
+  const point::SectionMap half = shooting.follow(start, orbit.period / 2);
+  if (half.status != ending::PointStatus::done) return Eigen::Vector4d::Zero();
+  return (shooting.scaled(half.sections.back(), orbit.quantities) - start).head<4>();
+}
+
+/// The period doubling of an orbit near to one of two places on its branch, by secants over the first
+/// quantity.
+std::optional<Event> doubling_near(Corrector& corrector, Unknowns at, double other) {
+  constexpr int kMostSecants = 20;
+  constexpr double kClosest = 1e-12;  // scaled
+  Unknowns plane = Unknowns::Zero(at.size());
+  plane[4] = 1.0;  // the first quantity stays
+  auto last = corrector.correct(at, plane);
+  if (!last) return std::nullopt;
+  double value = test_function(EventKind::period_doubling, last->orbit);
+  double step = other - at[4];
+  for (int i = 0; i < kMostSecants && std::isfinite(step); ++i) {
+    at = last->at;
+    at[4] += step;
+    auto next = corrector.correct(at, plane);
+    if (!next) return std::nullopt;
+    const double value_there = test_function(EventKind::period_doubling, next->orbit);
+    last = std::move(next);
+    if (std::abs(step) < kClosest) {
+      return Event{EventKind::period_doubling, last->orbit, observables::GrazingSide::none,
+                   std::abs(step) * corrector.shooting().varied()[0].scale};
+    }
+    step *= value_there / (value - value_there);
+    value = value_there;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Event> halving(Corrector& corrector, const OnBranch& from, const OnBranch& to) {
+  Shooting& shooting = corrector.shooting();
+  const Eigen::Vector4d difference = half_a_period_on(shooting, from.orbit);
+  if (!(half_a_period_on(shooting, to.orbit).dot(difference) < 0.0)) return std::nullopt;
+  // The orbit of half the period lies in the middle, and is cut at phase 0.
+  Unknowns middle = shooting.scaled(from.orbit.section, from.orbit.quantities);
+  middle.head<4>() += 0.5 * difference;
+  const int period = shooting.period();
+  const auto cut = shooting.cut();
+  shooting.cut_at_section();
+  shooting.set_period(period / 2);
+  auto doubling = doubling_near(corrector, middle, to.at[4]);
+  shooting.set_period(period);
+  if (cut) shooting.cut_at(*cut);
+  return doubling;
 }
 
 }  // namespace rubatlas::branch

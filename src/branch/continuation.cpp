@@ -90,6 +90,10 @@ Branch Continuation::follow(OnBranch state, std::size_t most) {
       length = kFirstStep;
       continue;
     }
+    if (auto end = halving(corrector_, state, *next)) {
+      branch.events.push_back(std::move(*end));
+      break;
+    }
     add_bifurcations(corrector_, state, *next, length, branch.events);
     if (within) grazings_.add(std::move(within->event), branch.events);
     state = std::move(*next);

@@ -107,8 +107,7 @@ void Grazings::extrapolate(const OnBranch& last, Event& event) {
   if (!before || !same_touches(before->orbit, last.orbit)) return;
   const double change =
       miss(last) / (miss(*before) - miss(last)) * (last.orbit.quantities[0] - before->orbit.quantities[0]);
-  if (!(std::abs(change) < kBack * shooting_->varied()[0].scale)) return;
-  event.orbit.quantities[0] += change;
+  if (std::abs(change) < kBack * shooting_->varied()[0].scale) event.orbit.quantities[0] += change;
   event.uncertainty = std::max(event.uncertainty, std::abs(change));
 }
 

@@ -149,6 +149,25 @@ TEST(Branch, GoesOnBehindAGrazingOnTheRecedingSideWithTheContactThatBeginsThere)
   EXPECT_GT(compared, 8);
 }
 
+TEST(Branch, OfPeriodTwoEndsWhereThePeriodOneMotionDoublesItsPeriod) {
+  settings::Scene scene = followed_rotor();
+  scene.grid.damping_ratio = {0.2};
+  const AlongSpeed two(scene, 0.24, 0.225);
+  ASSERT_TRUE(two.start);
+  EXPECT_EQ(two.start->period, 2);
+  ASSERT_FALSE(two.branch.events.empty());
+  const branch::Event& end = two.branch.events.back();
+  EXPECT_EQ(end.kind, EventKind::period_doubling);
+  EXPECT_EQ(end.orbit.period, 1);
+  EXPECT_LT(two.branch.orbits.back().quantities[0], end.orbit.quantities[0]) << "it has not turned back";
+  const AlongSpeed one(scene, 0.225, 0.235);
+  ASSERT_TRUE(one.start);
+  const auto doubling =
+      std::ranges::find(one.branch.events, EventKind::period_doubling, &branch::Event::kind);
+  ASSERT_NE(doubling, one.branch.events.end());
+  EXPECT_NEAR(end.orbit.quantities[0], doubling->orbit.quantities[0], 1e-10);
+}
+
 TEST(Branch, AnOrbitIsTheSameWhereverItIsCut) {
   const settings::Scene scene = followed_rotor();
   branch::Shooting shooting(scene, AlongSpeed::parameters(scene, 0.62),
