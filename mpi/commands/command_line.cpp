@@ -85,6 +85,7 @@ void check_command(int argument_count, const char* const* arguments) {
 std::string sentence_of(const CLI::App& program, const CLI::ParseError& error) {
   std::string text = error.what();
   while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();
+  if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) text += ": a number is meant";
   const auto chosen = program.get_subcommands();
   const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
   return fmt::format("{}; rubatlas{} --help shows what is possible", text, command);
@@ -180,7 +181,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   branch->add_option("--within", branch_command.within, "Limits of the second quantity: LOW HIGH")
       ->expected(2)
       ->type_name("VALUE");
-  branch->add_option("--points", branch_command.points, "Most orbits of a branch; default: 2000")
+  branch
+      ->add_option("--points", branch_command.points, "Most orbits of a branch, to each side; default: 2000")
       ->check(CLI::Range(2, 1000000));
   branch->add_option("-o,--output", branch_command.output, "Branch to write (HDF5)")->required();
   branch->add_flag("--overwrite", branch_command.overwrite, "Replace an existing branch; no other file");

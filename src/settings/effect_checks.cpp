@@ -76,9 +76,8 @@ void check_unequal_blades(const Scene& scene) {
   const double thickness = smallest("/blades/thickness");
   for (const auto& error : scene.unequal_blades->errors(blades.count)) {
     if (!(length + error.length > 0.0) || !(thickness + error.thickness > 0.0))
-      fail("/unequal_blades",
-           fmt::format("a blade {} m shorter and {} m thinner than it should be; nothing of it is left",
-                       -error.length, -error.thickness));
+      fail("/unequal_blades", fmt::format("a blade would be {:g} m long and {:g} m thick; both are above 0",
+                                          length + error.length, thickness + error.thickness));
   }
 }
 
