@@ -265,12 +265,6 @@ auto DirectedElastica::solve(const Pose& at, double slip, double angular_speed, 
   return walk.find() ? walk.root() : walk.unbent();
 }
 
-auto DirectedElastica::solve_near(const Pose& at, double slip, double angular_speed, const Bend& near) const
-    -> std::optional<Bend> {
-  const auto root = newton(at, slip, angular_speed, near);
-  return root ? root : solve(at, slip, angular_speed, std::copysign(1.0, near.modulus));
-}
-
 TipForce DirectedElastica::force_of(const Pose& at, double angular_speed, const Constraint& there) const {
   const double c = there.coefficient;
   TipForce force = bent_tip_force(there.tip, tip_rate(at, angular_speed), angular_speed,
@@ -327,8 +321,9 @@ bool DirectedElastica::respond(const Pose& at, double slip, double angular_speed
   const bool beyond_end = at.gap < 0.0 && side * at.tangential >= 0.0;
   Pose mirrored = at;
   if (beyond_end) mirrored.gap = -at.gap;
-  auto root =
-      known ? solve_near(mirrored, slip, angular_speed, bend) : solve(mirrored, slip, angular_speed, side);
+  std::optional<Bend> root;
+  if (known) root = newton(mirrored, slip, angular_speed, bend);
+  if (!root) root = solve(mirrored, slip, angular_speed, side);
   if (!root && remembers_side()) {  // it snaps through
     side = -side;
     root = solve(mirrored, slip, angular_speed, side);

@@ -150,10 +150,6 @@ class DirectedElastica : public ElasticBladeInRing {
   [[nodiscard]] std::optional<Bend> solve(const Pose& at, double slip, double angular_speed,
                                           double side) const;
 
-  /// The equilibrium next to the bend `near` and on its side; falls back on `solve`.
-  [[nodiscard]] std::optional<Bend> solve_near(const Pose& at, double slip, double angular_speed,
-                                               const Bend& near) const;
-
   /// Force at an equilibrium found near `bend`, which is updated; false where there is none. κ = 0: a new
   /// contact. The blade stays on the side of κ where it has an equilibrium there, and else snaps to the other
   /// side. Beyond the end of the contact (g < 0), where Runge–Kutta stages may land, the
