@@ -283,18 +283,14 @@ auto DirectedElastica::rest(const Pose& at, double angular_speed, const Bend& ne
   const double from = std::atan2(tip.across, tip.along);
   const auto place = resting_normal_angle(geometry_, at, angular_speed, from);
   if (!place) return std::nullopt;
-  evaluations_ += kEvaluationsOfHold;
-  auto resting = hold(direction_, geometry_, length_, at, angular_speed, *place, near);
-  if (!resting) {
-    Bend bend = near;
-    for (int i = 0; i <= kSteps; ++i) {
-      evaluations_ += kEvaluationsOfHold;
-      const double there = from + (*place - from) * i / kSteps;
-      resting = hold(direction_, geometry_, length_, at, angular_speed, there, bend);
-      if (!resting) return std::nullopt;
-      bend = resting->bend;
-    }
-  }
+  const auto held = [&](double normal_angle, const Bend& from_bend) {
+    evaluations_ += kEvaluationsOfHold;
+    return hold(direction_, geometry_, length_, at, angular_speed, normal_angle, from_bend);
+  };
+  if (const auto resting = held(*place, near)) return resting;
+  std::optional<RestingBlade> resting = held(from, near);
+  for (int i = 1; resting && i <= kSteps; ++i)
+    resting = held(from + (*place - from) * i / kSteps, resting->bend);
   return resting;
 }
 
