@@ -60,14 +60,7 @@ auto DirectedElastica::newton(const Pose& at, double slip, double angular_speed,
 class DirectedElastica::Walk {
  public:
   Walk(const DirectedElastica& law, const Pose& at, double slip, double angular_speed, double side)
-      : law_(law),
-        at_(at),
-        slip_(slip),
-        angular_speed_(angular_speed),
-        side_(side),
-        first_(side * law.first_load_angle(at, slip, angular_speed)),
-        start_(std::max(first_, 0.0)),
-        least_(std::max(start_ * kRounding, kLeast)) {}
+      : law_(law), at_(at), slip_(slip), angular_speed_(angular_speed), side_(side) {}
 
   /// Finds the angles between which h falls through zero for the first time; false where h does so nowhere.
   bool find() {
@@ -195,9 +188,10 @@ class DirectedElastica::Walk {
   double slip_;
   double angular_speed_;
   double side_;
-  double first_;  ///< b of the undeformed blade, positive towards the side
-  double start_;  ///< A of the unloaded blade
-  double least_;  ///< the smallest A − `start_`
+  /// b of the undeformed blade, positive towards the side.
+  double first_ = side_ * law_.first_load_angle(at_, slip_, angular_speed_);
+  double start_ = std::max(first_, 0.0);                 ///< A of the unloaded blade
+  double least_ = std::max(start_ * kRounding, kLeast);  ///< the smallest A − `start_`
   double amplitude_ = 0.0;
   double share_ = 0.0;  ///< (A − start)/A at `amplitude_`
   std::optional<double> low_, high_;
