@@ -45,17 +45,15 @@ struct Ring {
   bool releases_at_fold = false;
 };
 
-/// What a law knows of an elastic blade.
-struct ElasticBlade {
-  double length;             ///< L [m]
-  double thickness;          ///< h [m]
-  double bending_stiffness;  ///< EI = E b h³ / 12 [N m²]
-};
-
 /// What the laws of elastic blades have in common: a blade and its ring.
 class ElasticBladeInRing {
  public:
-  using Blade = ElasticBlade;
+  /// What a law knows of an elastic blade.
+  struct Blade {
+    double length;             ///< L [m]
+    double thickness;          ///< h [m]
+    double bending_stiffness;  ///< EI = E b h³ / 12 [N m²]
+  };
 
   ElasticBladeInRing(const Geometry& geometry, const Blade& blade)
       : geometry_(geometry),
