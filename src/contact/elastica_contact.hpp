@@ -84,18 +84,7 @@ class ElasticaContact : public ElasticBladeInRing {
  public:
   ElasticaContact(const Geometry& geometry, const Blade& blade,
                   std::shared_ptr<const blade::ElasticaCurve> curve, Ring ring = {})
-      : ElasticBladeInRing(geometry, blade),
-        friction_(curve->friction()),
-        yield_unit_(load_unit_ / ring.stiffness),
-        ring_(ring),
-        axial_unit_(blade.length * curve->axial_compliance()),
-        curve_(std::move(curve)) {
-    if (friction_ > 0.0) {
-      const double per_lateral = 3.0 / (friction_ * length_);
-      axial_relief_ = per_lateral * axial_unit_;
-      ring_relief_ = per_lateral * yield_unit_ * geometry_.ring_radius;
-    }
-  }
+      : ElasticBladeInRing(geometry, blade), ring_(ring), curve_(std::move(curve)) {}
 
   [[nodiscard]] const blade::ElasticaCurve& curve() const { return *curve_; }
   [[nodiscard]] Friction friction() const { return Friction::coulomb(friction_); }
@@ -257,13 +246,14 @@ class ElasticaContact : public ElasticBladeInRing {
   [[nodiscard]] Branches branches(const Pose& at, double slip) const;
   [[nodiscard]] std::optional<double> root_on(const Pose& at, double slip, const Branch& branch) const;
 
-  double friction_;    ///< μ [-]
-  double yield_unit_;  ///< 0 where the ring does not yield [m]
   Ring ring_;
-  double axial_unit_;          ///< L ε [m]: axial shortening under F = EI/L²
-  double axial_relief_ = 0.0;  ///< 3ε/μ [-]
-  double ring_relief_ = 0.0;   ///< 3 EI R / (μ L³ kr) [m]
   std::shared_ptr<const blade::ElasticaCurve> curve_;
+  double friction_ = curve_->friction();                      ///< μ [-]
+  double yield_unit_ = load_unit_ / ring_.stiffness;          ///< 0 where the ring does not yield [m]
+  double axial_unit_ = length_ * curve_->axial_compliance();  ///< L ε [m]: axial shortening under F = EI/L²
+  double per_lateral_ = friction_ > 0.0 ? 3.0 / (friction_ * length_) : 0.0;  ///< 3/(μL) [1/m]
+  double axial_relief_ = per_lateral_ * axial_unit_;                          ///< 3ε/μ [-]
+  double ring_relief_ = per_lateral_ * yield_unit_ * geometry_.ring_radius;   ///< 3 EI R / (μ L³ kr) [m]
 };
 
 }  // namespace rubatlas::contact
