@@ -81,17 +81,17 @@ contact::TipForce ArcsOfAxialLoads::force(const Touch& touch, const TipPlace& at
   return touch.skims ? rotor::share_of(force, touch.share) : force;
 }
 
-/// g/Δ, or g/2R of a column that bends from above the ring, where g/Δ has no limit.
-double ArcsOfAxialLoads::gap_measure(const Touch& touch, const contact::Pose& at) const {
-  if (touch.skims) return touch.share + kShareBeyond;
-  const contact::ElasticaContact& law = elastica(touch.blade);
-  return law.may_stand_straight() ? at.gap / (2.0 * law.geometry().ring_radius)
-                                  : law.gap_per_deflection(at, touch.slip, touch.bending);
-}
-
 BladeStart ArcsOfAxialLoads::start(const Touch& touch, const TipPlace& at) const {
-  BladeStart there = starts(touch, force(touch, at), gap_measure(touch, at.pose));
-  if (touch.skims) there.start_cone_left = 1.0 + kShareBeyond - touch.share;
+  const contact::ElasticaContact& law = elastica(touch.blade);
+  // g/Δ, or g/2R of a column that bends from above the ring, where g/Δ has no limit.
+  const double measure = law.may_stand_straight()
+                             ? at.pose.gap / (2.0 * law.geometry().ring_radius)
+                             : law.gap_per_deflection(at.pose, touch.slip, touch.bending);
+  BladeStart there = starts(touch, force(touch, at), measure);
+  if (touch.skims) {
+    there.start_gap_measure = touch.share + kShareBeyond;
+    there.start_cone_left = 1.0 + kShareBeyond - touch.share;
+  }
   if (!touch.straight) return there;
   // Of a column that has just straightened no load is left, to rounding.
   constexpr double kLeast = 1e-12;
@@ -152,8 +152,7 @@ Standing AxialLaw::keep(const TipPlace& at, Touch& touch) const {
   const bool outside = at.pose.gap <= 0.0;
   if (at.pose.gap <= contact::gap_rounding(blade.geometry(), at.pose) &&
       blade.ends_unloaded(at.pose, touch.slip, touch.bending)) {
-    touch.bending = 0.0;
-    touch.bend = {};
+    takes(0.0, touch);
     return outside ? Standing::free : Standing::stands;
   }
   if (outside && !blade.releases_at_fold()) return Standing::free;
@@ -177,8 +176,7 @@ Standing AxialLaw::snap(const TipPlace& at, Touch& touch) const {
 }
 
 bool AxialLaw::bend_anew(const TipPlace& at, Touch& touch) const {
-  touch.bending = 0.0;
-  touch.bend = {};
+  takes(0.0, touch);
   return open(at, touch);
 }
 

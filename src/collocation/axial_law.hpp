@@ -64,7 +64,6 @@ class ArcsOfAxialLoads : public Law {
     return elastica(blade).curve().over_asinh();
   }
   [[nodiscard]] double deflection_per_square(int blade) const;
-  [[nodiscard]] double gap_measure(const Touch& touch, const contact::Pose& at) const;
 
   int leader_ = 0;
 };
