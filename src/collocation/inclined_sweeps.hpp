@@ -100,7 +100,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   }
   /// |v| that a tip at rest had before the step. The shaft's velocity shows only what steps change.
   double slip_left(const Tip& tip) const {
-    return tip.inclined().rests ? magnitude(tip.e).largest() * machine_.ring_radius : 0.0;
+    return tip.start.load->rests ? magnitude(tip.e).largest() * machine_.ring_radius : 0.0;
   }
 
   double sweep(bool light) { return light ? sweep<true>() : sweep<false>(); }
@@ -114,11 +114,11 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     const Number argument = this->chord_argument_ + deviation_ * in.normal.argument;
     const Number square = argument * argument;
     const Pose at = pose_from(in.leader(), er_);
-    if (!lead_.template stand<!kLight>(bending_of(lead_.inclined(), argument, square), lean_, at,
+    if (!lead_.template stand<!kLight>(bending_of(*lead_.start.load, argument, square), lean_, at,
                                        this->angular_speed_))
       return std::numeric_limits<double>::quiet_NaN();
     if (!kLight) {
-      bending_slope_ = bending_slope_of(lead_.inclined(), square);
+      bending_slope_ = bending_slope_of(*lead_.start.load, square);
       const Number bending_by_deviation = bending_slope_ * in.normal.argument;
       const Number h_by_deviation =
           lead_.h_by_bending * bending_by_deviation + lead_.h_rate() * in.normal.time;
@@ -155,7 +155,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     }
     const Vector expected = seen_velocity() + seen_acceleration() * time_step;
     this->move(push);
-    const bool rests = lead_.inclined().rests;
+    const bool rests = lead_.start.load->rests;
     const Number slip = rests ? follow_slip<kLight>(expected) : Number(0.0);
     const double change = (seen_velocity() - expected).largest();
     if (rests) bend_to(slip);
@@ -223,11 +223,11 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     Tip& tip = further.tip;
     const Number argument = root(further.square);
     const Pose at = pose_from(*further.in_time, er);
-    if (!tip.template stand<!kLight>(bending_of(tip.inclined(), argument, further.square), further.lean, at,
+    if (!tip.template stand<!kLight>(bending_of(*tip.start.load, argument, further.square), further.lean, at,
                                      this->angular_speed_))
       return false;
     if (!kLight) {
-      further.bending_slope = bending_slope_of(tip.inclined(), further.square);
+      further.bending_slope = bending_slope_of(*tip.start.load, further.square);
       further.e_rate = e_rate_of(tip, at, er);
       further.inverse = Number(1.0) / (tip.h_by_bending * tip.e_by_lean - tip.h_by_lean * tip.e_by_bending);
     }
@@ -249,8 +249,8 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     const double radius = machine_.ring_radius;
     this->straight_tip(kept, er).gap.store(kept.gap);
     tip.store(kept);
-    Base::gap_per_deflection(tip, tip.inclined().side, tip.numbers().length, 0.0).store(kept.gap_measure);
-    this->slip_velocity_of(tip, er, tip.numbers().reach, 1.0 / radius, radius).store(kept.slip_velocity);
+    Base::gap_per_deflection(tip, kept.load->side, kept.blade->length, 0.0).store(kept.gap_measure);
+    this->slip_velocity_of(tip, er, kept.blade->reach, 1.0 / radius, radius).store(kept.slip_velocity);
   }
   void store() const {
     this->store_motion();
@@ -260,7 +260,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       store_tip(further.tip, Base::direction_at(er_, kept.offset), kept);
       further.square.store(kept.square);
       // The determinant by p² and l: positive where a slipping tip's branch goes on from the unbent blade.
-      (further.bending_slope / (further.inverse * root(further.square)) * -further.tip.inclined().side)
+      (further.bending_slope / (further.inverse * root(further.square)) * -kept.load->side)
           .store(kept.firmness);
       if (kept.slip == 0.0 && kept.firmness[0] < 0.0) {
         for (double& value : kept.firmness.value) value = -value;

@@ -139,30 +139,30 @@ class InclinedTip {
   using Pose = contact::PoseOf<Number>;
   using InBlade = contact::BladeVector<Number>;
 
+  const TipStart& start;
   InclinedBlade<kWidth> blade;
   Number bending, lean;  ///< u, l
   Number load;           ///< P L²/EI
   InBlade bent;          ///< (δ, D) [m]
   InBlade place, rate;   ///< of the tip from the ring's centre [m], and by τ at this bend
-  Number slip_velocity;  ///< v
   Number coefficient;    ///< c
   Number h, e;
   // Slopes.
   InBlade place_by_bending, place_by_lean;
   Number h_by_bending, h_by_lean, e_by_bending, e_by_lean;
 
-  InclinedTip(const TipStart& tip, double ring_radius)
-      : blade_(tip.blade), load_(tip.load), slip_(tip.slip), ring_radius_(ring_radius) {}
+  InclinedTip(const TipStart& tip, double ring_radius) : start(tip), ring_radius_(ring_radius) {}
 
   /// False where there is no such blade. The quadrature is chosen with the slopes, and kept. `speed`: φ'.
   template <bool kSlopes>
   bool stand(const Number& bending_there, const Number& lean_there, const Pose& at, const Number& speed) {
-    const Blade& c = *blade_;
+    const Blade& c = *start.blade;
+    const InclinedLoad& inclined = *start.load;
     bending = bending_there;
     lean = lean_there;
     if (!blade.template set<kSlopes>(bending, lean, rule_)) return false;
     load = blade.load.value;
-    const double across_length = load_->side * c.length;
+    const double across_length = inclined.side * c.length;
     const InBlade unbent{at.radial + c.reach, at.tangential};
     bent = {blade.shortening.value * c.length, blade.deflection.value * across_length};
     h = contact::contact_equation(at.gap, unbent, bent);
@@ -170,24 +170,19 @@ class InclinedTip {
     rate = contact::tip_rate(at, speed);
     const double radius = ring_radius_;
     const double per_radius = 1.0 / radius;
-    slip_velocity = contact::slip_velocity(place, rate, speed, per_radius, radius);
-    const bool rests = load_->rests;
+    const Number slip_velocity = contact::slip_velocity(place, rate, speed, per_radius, radius);
+    const bool rests = inclined.rests;
     const contact::Friction::At<Number> friction =
         rests ? contact::Friction::At<Number>{Number(0.0), Number(0.0)}
-              : load_->friction.at(slip_velocity, slip_);
+              : inclined.friction.at(slip_velocity, start.slip);
     coefficient = friction.coefficient;
-    cosine_ = Number(1.0) - lean * lean * 2.0;
-    sine_ = lean * blade.cosine * (2.0 * load_->side);
-    direction_x_ = cosine_;
-    Number direction_y = sine_;
-    if (load_->along_normal) {
-      direction_x_ = (place.along * cosine_ + place.across * sine_) * per_radius;
-      direction_y = (place.along * sine_ - place.across * cosine_) * per_radius;
-    }
-    e = direction_y - coefficient * direction_x_;
+    direction_ = direction_at(lean, blade.cosine);
+    const double unit = inclined.along_normal ? per_radius : 1.0;
+    const InBlade pressing = against_ring(direction_) * unit;  // X, Y
+    e = pressing.across - coefficient * pressing.along;
     const double per_speed = -1.0 / radius;  // a length: v over it is as large as an angle's rate
     if (rests) {
-      coefficient = direction_y / direction_x_;
+      coefficient = pressing.across / pressing.along;
       e = slip_velocity * per_speed;
     }
     if (kSlopes) {
@@ -196,22 +191,16 @@ class InclinedTip {
       place_by_lean = {blade.shortening.by_lean * -c.length, blade.deflection.by_lean * -across_length};
       h_by_bending = contact::square_change(place, place_by_bending);
       h_by_lean = contact::square_change(place, place_by_lean);
-      const Number cosine_by_lean = lean * -4.0;
-      const Number sine_by_lean = cosine_ / blade.cosine * (2.0 * load_->side);
-      e_by_velocity_ = rests ? Number(per_speed * per_radius) : friction.slope * direction_x_ * -per_radius;
-      // By its parts: l and the place of the tip, on which v depends, too.
-      Number by_lean = sine_by_lean - coefficient * cosine_by_lean;
+      e_by_velocity_ = rests ? Number(per_speed * per_radius) : friction.slope * pressing.along * -per_radius;
+      // By the place of the tip, on which v depends, too.
       InBlade by_place = InBlade{rate.across, rate.along * -1.0} * e_by_velocity_;
-      if (rests) {
-        by_lean = Number(0.0);
-      } else if (load_->along_normal) {
-        by_lean = ((place.along * sine_by_lean - place.across * cosine_by_lean) -
-                   coefficient * (place.along * cosine_by_lean + place.across * sine_by_lean)) *
-                  per_radius;
-        by_place = by_place + turn_of_normal() * per_radius;
-      }
+      if (turns_with_normal()) by_place = by_place + turn_of_normal() * per_radius;
       e_by_bending = dot(by_place, place_by_bending);
-      e_by_lean = by_lean + dot(by_place, place_by_lean);
+      e_by_lean = dot(by_place, place_by_lean);
+      if (!rests) {
+        const InBlade turns = against_ring(direction_by_lean());
+        e_by_lean = (turns.across - coefficient * turns.along) * unit + e_by_lean;
+      }
     }
     return true;
   }
@@ -221,9 +210,7 @@ class InclinedTip {
   Number e_rate(const Pose& at, const Number& speed, const InBlade& acceleration) const {
     Number result =
         e_by_velocity_ * contact::cross(place, contact::tip_acceleration(at, speed, acceleration));
-    if (load_->along_normal && !load_->rests) {
-      result = result + dot(turn_of_normal(), rate) * (1.0 / ring_radius_);
-    }
+    if (turns_with_normal()) result = result + dot(turn_of_normal(), rate) * (1.0 / ring_radius_);
     return result;
   }
 
@@ -236,17 +223,13 @@ class InclinedTip {
     bending = bending + bending_step;
     lean = lean + lean_step;
     load = load + (blade.load.by_bending * bending_step + blade.load.by_lean * lean_step);
-    const Number push = load * (-blade_->load_unit * force_unit);
-    const Number cosine = Number(1.0) - lean * lean * 2.0;
-    const Number sine = lean * root(Number(1.0) - lean * lean) * (2.0 * load_->side);
-    if (load_->rests) {  // what holds it there
-      coefficient = load_->along_normal ? (place.along * sine - place.across * cosine) /
-                                              (place.along * cosine + place.across * sine)
-                                        : sine / cosine;
+    const InBlade direction = direction_at(lean, root(Number(1.0) - lean * lean));
+    if (start.load->rests) {  // what holds it there
+      const InBlade pressing = against_ring(direction);
+      coefficient = pressing.across / pressing.along;
     }
-    InBlade result{cosine, sine};
-    if (!load_->along_normal) result = turned(place, result);
-    return result * push;
+    const Number push = load * (-start.blade->load_unit * force_unit);
+    return (start.load->along_normal ? direction : turned(place, direction)) * push;
   }
 
   /// How the push changes with the slip velocity where the shaft stands: the bend follows e, at h = 0. To be
@@ -256,38 +239,49 @@ class InclinedTip {
     const Number bending_rate = h_by_lean * inverse;
     const Number lean_rate = h_by_bending * inverse * -1.0;
     const Number load_rate = blade.load.by_bending * bending_rate + blade.load.by_lean * lean_rate;
-    const Number cosine_rate = lean * lean_rate * -4.0;
-    const Number sine_rate = cosine_ / blade.cosine * (2.0 * load_->side) * lean_rate;
-    InBlade direction{cosine_, sine_};
-    InBlade turn{cosine_rate, sine_rate};
-    if (!load_->along_normal) {
+    InBlade direction = direction_;
+    InBlade turn = direction_by_lean() * lean_rate;
+    if (!start.load->along_normal) {
       const InBlade moved = place_by_bending * bending_rate + place_by_lean * lean_rate;
       turn = turned(place, turn) + turned(moved, direction);
       direction = turned(place, direction);
     }
-    const double unit = -blade_->load_unit * force_unit;
+    const double unit = -start.blade->load_unit * force_unit;
     return (direction * load_rate + turn * load) * unit;
   }
 
   /// What an interval keeps of the tip, but for what has to do with velocities.
   void store(TipInTime& kept) const {
     lean.store(kept.lean);
-    (bent.along * (1.0 / blade_->length)).store(kept.shortening);
-    (Number(load_->cone()) - coefficient * coefficient).store(kept.cone_left);
-    load_->chart_left(bending, lean).store(kept.chart_left);
-    (load * blade_->load_unit / root(coefficient * coefficient + 1.0)).store(kept.normal_force);
-    (bending * (2.0 * blade_->strain_unit) * root(larger(load, Number(0.0)))).store(kept.root_strain);
+    (bent.along * (1.0 / start.blade->length)).store(kept.shortening);
+    (Number(start.load->cone()) - coefficient * coefficient).store(kept.cone_left);
+    start.load->chart_left(bending, lean).store(kept.chart_left);
+    (load * start.blade->load_unit / root(coefficient * coefficient + 1.0)).store(kept.normal_force);
+    (bending * (2.0 * start.blade->strain_unit) * root(larger(load, Number(0.0)))).store(kept.root_strain);
   }
 
   /// ∂e/∂v.
   [[nodiscard]] Number e_by_velocity() const { return e_by_velocity_ * ring_radius_; }
-  [[nodiscard]] const InclinedLoad& inclined() const { return *load_; }
-  [[nodiscard]] const Blade& numbers() const { return *blade_; }
 
  private:
+  /// (cos b, sin b) of a load that leans so; `half_cosine`: cos(b/2).
+  InBlade direction_at(const Number& lean_there, const Number& half_cosine) const {
+    return {Number(1.0) - lean_there * lean_there * 2.0, lean_there * half_cosine * (2.0 * start.load->side)};
+  }
+  InBlade direction_by_lean() const {
+    return {lean * -4.0, direction_.along / blade.cosine * (2.0 * start.load->side)};
+  }
+  /// A direction of the load against that in which the ring presses, times R where that is the normal.
+  InBlade against_ring(const InBlade& direction) const {
+    if (!start.load->along_normal) return direction;
+    return {dot(place, direction), cross(place, direction)};
+  }
+  /// Whether the direction that is asked of the load turns with the place of the tip.
+  [[nodiscard]] bool turns_with_normal() const { return start.load->along_normal && !start.load->rests; }
   /// What e changes by with the place of the tip, times R, as the normal turns.
   InBlade turn_of_normal() const {
-    return {sine_ - coefficient * cosine_, (cosine_ + coefficient * sine_) * -1.0};
+    const auto& [cosine, sine] = direction_;
+    return {sine - coefficient * cosine, (cosine + coefficient * sine) * -1.0};
   }
   /// A vector that is turned as the place of the tip is from the blade, at the ring's radius.
   InBlade turned(const InBlade& at, const InBlade& vector) const {
@@ -296,13 +290,9 @@ class InclinedTip {
            (1.0 / ring_radius_);
   }
 
-  const Blade* blade_ = nullptr;
-  const InclinedLoad* load_ = nullptr;
-  double slip_ = 0.0;
-  double ring_radius_ = 0.0;
+  double ring_radius_;
   BladeRule rule_;
-  Number cosine_, sine_;  ///< of b
-  Number direction_x_;    ///< X
+  InBlade direction_;     ///< of the load, at b
   Number e_by_velocity_;  ///< over R
 };
 
