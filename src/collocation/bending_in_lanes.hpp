@@ -21,16 +21,12 @@ class BendingInLanes {
     Number load, shortening, deflection;
   };
 
-  /// The piece of each node, and the place in it, in [0, 1].
-  struct Places {
-    std::array<const double*, kNodes> coefficients;
-    std::array<double, kNodes> t;
-    double per_argument;  ///< pieces by p
-  };
-  static Places places(const blade::BendingTable& table, const Number& argument) {
-    Places result;
-    result.per_argument = 1.0 / table.width();
-    const Number place = argument * result.per_argument;
+  /// At p. With `kSlopes` the slopes by p, too, of the powers up to `kSlopeDegree`: they are for Newton's
+  /// steps only, and four nodes are as many as registers hold at a time.
+  template <bool kSlopes>
+  static Bend curve(const blade::BendingTable& table, const Number& argument, Bend& slope) {
+    const double per_argument = 1.0 / table.width();
+    const Number place = argument * per_argument;
     const Number piece =
         whole(smaller(larger(place, Number(0.0)), Number(static_cast<double>(table.last_piece()))));
     // Not set to zero first. NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
@@ -39,24 +35,15 @@ class BendingInLanes {
     alignas(64) double t[kNodes];
     piece.store_to(pieces);
     (place - piece).store_to(t);
-    for (std::size_t k = 0; k < kNodes; ++k) {
-      result.coefficients[k] = table.pieces()[static_cast<int>(pieces[k])].coefficients[0].data();
-      result.t[k] = t[k];
-    }
-    return result;
-  }
-
-  /// With `kSlopes` the slopes by p, too, of the powers up to `kSlopeDegree`: they are for Newton's steps
-  /// only, and four nodes are as many as registers hold at a time.
-  template <bool kSlopes>
-  static Bend curve(const Places& at, Bend& slope) {
+    std::array<const double*, kNodes> coefficients;
+    for (std::size_t k = 0; k < kNodes; ++k)
+      coefficients[k] = table.pieces()[static_cast<int>(pieces[k])].coefficients[0].data();
     constexpr std::size_t kAtOnce = kSlopes ? 4 : kNodes;
-    Rows<kNodes> sum;
-    Rows<kNodes> rate;
+    Rows sum, rate;
     for (std::size_t i = 0; i < kNodes; i += kAtOnce) {
       for (std::size_t k = i; k < i + kAtOnce; ++k) {
         for (std::size_t r = 0; r < kRows; ++r)
-          sum[k][r] = row(at.coefficients[k], blade::BendingTable::kDegree, r);
+          sum[k][r] = row(coefficients[k], blade::BendingTable::kDegree, r);
       }
 #pragma GCC unroll 16
       for (std::size_t below = 1; below <= blade::BendingTable::kDegree; ++below) {
@@ -64,16 +51,15 @@ class BendingInLanes {
         for (std::size_t k = i; k < i + kAtOnce; ++k) {
           for (std::size_t r = 0; r < kRows; ++r) {
             if (kSlopes && power + 1 == kSlopeDegree) rate[k][r] = sum[k][r];
-            if (kSlopes && power + 1 < kSlopeDegree) rate[k][r] = rate[k][r] * at.t[k] + sum[k][r];
-            sum[k][r] = sum[k][r] * at.t[k] + row(at.coefficients[k], power, r);
+            if (kSlopes && power + 1 < kSlopeDegree) rate[k][r] = rate[k][r] * t[k] + sum[k][r];
+            sum[k][r] = sum[k][r] * t[k] + row(coefficients[k], power, r);
           }
         }
       }
     }
     if (kSlopes) {
       slope = across(rate);
-      const double unit = at.per_argument;
-      slope = {slope.load * unit, slope.shortening * unit, slope.deflection * unit};
+      slope = {slope.load * per_argument, slope.shortening * per_argument, slope.deflection * per_argument};
     }
     return across(sum);
   }
@@ -85,13 +71,12 @@ class BendingInLanes {
   static constexpr std::size_t kRowWidth = kWidth == 2 ? 2 : 4;
   using Row = typename Lanes<kRowWidth>::Part;
   static constexpr std::size_t kRows = 4 / kRowWidth;
-  template <std::size_t kCount>
-  using Rows = std::array<std::array<Row, kRows>, kCount>;
+  using Rows = std::array<std::array<Row, kRows>, kNodes>;
 
   static Row row(const double* coefficients, std::size_t power, std::size_t part) {
     return loaded_part<kRowWidth>(coefficients + 4 * power + part * kRowWidth);
   }
-  static Bend across(const Rows<kNodes>& rows) {
+  static Bend across(const Rows& rows) {
     const auto quantity = [&](std::size_t q) {
       return Number::each([&](std::size_t k) { return rows[k][q / kRowWidth][q % kRowWidth]; });
     };

@@ -93,8 +93,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   /// Load, shortening and deflection of a tip, with their slopes unless those are kept.
   template <bool kLight>
   static Bend bend_of(Tip& tip, const Number& argument) {
-    const auto at = Table::places(*tip.blade->table, argument);
-    const Bend bend = Table::template curve<!kLight>(at, tip.slope);
+    const Bend bend = Table::template curve<!kLight>(*tip.blade->table, argument, tip.slope);
     if (kLight) return bend;
     tip.slope.shortening = tip.slope.shortening * tip.blade->length;
     tip.slope.deflection = tip.slope.deflection * (tip.slip * tip.blade->length);
