@@ -37,8 +37,7 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
             .closing = law.geometry().closing(),
             .length = law.length(),
             .load_unit = law.load_unit(),
-            .strain_unit = law.strain_unit(),
-            .friction = friction_.friction};
+            .strain_unit = law.strain_unit()};
   }
   [[nodiscard]] bool may_slip_back() const override { return has_slip_state() && !sticks(); }
   [[nodiscard]] bool sticks() const override { return friction_.sticks && rests_at_once_; }
@@ -140,10 +139,7 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
     return solver_.solve_inclined(machine, closeness, interval);
   }
   [[nodiscard]] Touch touch(const TipStart& tip, const Bending& bending) const override {
-    const InclinedLoad& load = load_of(tip.number);
-    const double u = load.bending(bending.argument);
-    return {
-        tip.number, tip.slip, 0.0, {load.side * std::hypot(u, bending.lean), std::atan2(u, bending.lean)}};
+    return {tip.number, tip.slip, 0.0, bend_of(load_of(tip.number), bending)};
   }
   [[nodiscard]] contact::TipForce force(const Touch& touch, const TipPlace& at) const override {
     const auto& law = of(touch.blade);
@@ -235,15 +231,9 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
       if (!look() || beyond == kNodes) return false;
       points.lean.value.fill(points.lean[beyond]);
     }
-    to = points.argument[beyond];
-    const double u = load.bending(to);
-    touch.bend = {load.side * std::hypot(u, points.lean[0]), std::atan2(u, points.lean[0])};
-    Touch found = touch;
-    if (!goes_on(law, at, found, kFound)) return false;
-    const auto there = law.constraint(at.pose, touch.slip, at.speed, found.bend);
-    if (!(there.determinant() > 0.0)) return false;
-    touch = found;
-    return true;
+    touch.bend = bend_of(load, {points.argument[beyond], points.lean[0]});
+    return goes_on(law, at, touch, kFound) &&
+           law.constraint(at.pose, touch.slip, at.speed, touch.bend).determinant() > 0.0;
   }
   /// Moves a contact onto its equilibrium if that is as near to its bend as said.
   static bool goes_on(const contact::DirectedElastica& law, const TipPlace& at, Touch& touch, double near) {
@@ -269,6 +259,10 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
   /// p.
   [[nodiscard]] double argument_of(const Touch& touch) const {
     return load_of(touch.blade).argument(bending_of(touch.bend));
+  }
+  static blade::Bend bend_of(const InclinedLoad& load, const Bending& bending) {
+    const double u = load.bending(bending.argument);
+    return {load.side * std::hypot(u, bending.lean), std::atan2(u, bending.lean)};
   }
   static double bending_of(const blade::Bend& bend) {
     return std::abs(bend.modulus) * std::sin(bend.amplitude);
