@@ -133,28 +133,25 @@ double TangentFlow::longest_flight() const {
 Tangents TangentFlow::after_flight(double duration) const {
   Tangents tangents = tangents_;
   const Eigen::Index velocities = tangents.rows() / 2;
-  const auto swing = [&](const rotor::FreeMotion& free, Eigen::Index first) {
-    const double frequency = free.frequency();
-    const auto [cosine, sine] = free.kernel(frequency * duration);
-    const double damping = free.damping_ratio();
-    const auto place = tangents.middleRows<2>(first).eval();
-    const auto velocity = (tangents.middleRows<2>(velocities + first) / frequency).eval();
-    tangents.middleRows<2>(first) = cosine * place + sine * (velocity + damping * place);
-    tangents.middleRows<2>(velocities + first) =
-        frequency * (cosine * velocity - sine * (place + damping * velocity));
-  };
-  if (const rotor::SupportedShaft* supported = machine_->supported()) {
+  // The body whose coordinates begin there.
+  const auto move = [&](Eigen::Index first, const auto& moved) {
     for (auto tangent : tangents.colwise()) {
-      Eigen::Vector4d shaft;
-      shaft << tangent.head<2>(), tangent.segment<2>(velocities);
-      shaft = supported->support.free(shaft, duration);
-      tangent.head<2>() = shaft.head<2>();
-      tangent.segment<2>(velocities) = shaft.tail<2>();
+      Eigen::Vector4d body;
+      body << tangent.segment<2>(first), tangent.segment<2>(velocities + first);
+      body = moved(body);
+      tangent.segment<2>(first) = body.head<2>();
+      tangent.segment<2>(velocities + first) = body.tail<2>();
     }
-  } else {
-    swing(rotor::FreeMotion(machine_->constants.damping_ratio), 0);
-  }
-  if (const rotor::RingBody* ring = machine_->ring_body()) swing(*ring, 2);
+  };
+  const auto swing = [&](Eigen::Index first, const rotor::FreeMotion& free) {
+    const auto over = free.kernel(free.frequency() * duration);
+    move(first, [&](const Eigen::Vector4d& body) { return free.moved(body, over); });
+  };
+  if (const rotor::SupportedShaft* supported = machine_->supported())
+    move(0, [&](const Eigen::Vector4d& body) { return supported->support.free(body, duration); });
+  else
+    swing(0, rotor::FreeMotion(machine_->constants.damping_ratio));
+  if (const rotor::RingBody* ring = machine_->ring_body()) swing(2, *ring);
   return tangents;
 }
 
