@@ -7,8 +7,8 @@
 
 namespace rubatlas::collocation {
 
-const InclinedLoad::ChartEnd InclinedLoad::kChartEnd{std::cos(std::numbers::pi - blade::kLargestAmplitude),
-                                                     std::sin(std::numbers::pi - blade::kLargestAmplitude)};
+const double InclinedLoad::kEndCosine = std::cos(std::numbers::pi - blade::kLargestAmplitude);
+const double InclinedLoad::kEndSine = std::sin(std::numbers::pi - blade::kLargestAmplitude);
 
 double InclinedLoad::argument(double u) const {
   constexpr int kMost = 20;

@@ -29,15 +29,12 @@ struct InclinedLoad {
   static constexpr double kLeastScale = 1e-3;  ///< of σ
 
   /// Of π − φ where φ is largest (`blade::kLargestAmplitude`).
-  struct ChartEnd {
-    double cosine, sine;
-  };
-  static const ChartEnd kChartEnd;
+  static const double kEndCosine, kEndSine;
   /// |κ| sin(φ' − φ), φ' the largest φ: positive within the chart. Of a tip at rest times what is left of κ²
   /// until its blade is a strut.
   template <class Number>
   [[nodiscard]] Number chart_left(const Number& u, const Number& lean) const {
-    const Number left = u * kChartEnd.cosine + lean * kChartEnd.sine;
+    const Number left = u * kEndCosine + lean * kEndSine;
     if (!rests) return left;
     // A little less, so that who judges the end of rest finds it there.
     constexpr double kLess = 1.0 - 1e-6;

@@ -33,7 +33,6 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
               Interval& interval)
       : Base(machine, closeness, interval),
         friction_(friction),
-        leader_(interval.leader()),
         rests_(std::ranges::count(interval.tips, 0.0, &TipStart::slip) > 0) {
     this->take_direction();
   }
@@ -58,7 +57,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   /// Calls `use` with each tip and the direction of its blade.
   template <class Use>
   void each_tip(Use use) const {
-    use(leader_, er_);
+    use(interval_.leader(), er_);
     for (TipInTime& further : interval_.further()) use(further, Base::direction_at(er_, further.offset));
   }
 
@@ -175,7 +174,6 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
   }
 
   const contact::Friction& friction_;
-  TipInTime& leader_;
   bool rests_;                                     ///< a tip is at rest
   std::array<Number, contact::kMostAtRest> pull_;  ///< q of tips at rest [m per unit τ²]
 };
