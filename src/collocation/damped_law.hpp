@@ -18,7 +18,7 @@ class DampedLaw final : public LawOfBlades<DampedLaw, contact::ElasticBladeOnDam
  public:
   explicit DampedLaw(Blades blades) : LawOfBlades(std::move(blades)) {
     ends_at_ring_ = false;
-    for (int k = 0; k < count(); ++k) elastica_.push_back(&of(k).blade());
+    for (int k = 0; k < count(); ++k) elastica_.push_back(&of(k));
   }
 
   [[nodiscard]] Blade numbers(int blade) const override {
@@ -46,7 +46,7 @@ class DampedLaw final : public LawOfBlades<DampedLaw, contact::ElasticBladeOnDam
       there.gap -= contact::widening(found.yielding, law.geometry().ring_radius);
     if (touch.touches_down() && starts_unloaded(touch.blade, touch.slip, there)) return found;
     contact::TipForce force{};
-    if (!law.blade().respond(there, touch.slip, at.speed, found.bending, force)) return std::nullopt;
+    if (!law.respond(there, touch.slip, at.speed, found.bending, force)) return std::nullopt;
     found.just_bent = touch.touches_down();
     return found;
   }

@@ -193,7 +193,7 @@ class YieldingDampedRing : public ContactMode<rotor::BendsState> {
       return true;
     }
     const contact::Pose at = in_circle(open.blade, state, yielding);
-    const bool found = law.blade().respond(at, open.slip, speed, open.bending, force);
+    const bool found = law.respond(at, open.slip, speed, open.bending, force);
     rate = law.yielding_rate(force.normal, yielding);
     return pay_curves() && found;
   }

@@ -8,11 +8,9 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 
 #include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
-#include "contact/friction_law.hpp"
 #include "contact/tip.hpp"
 
 namespace rubatlas::contact {
@@ -21,23 +19,20 @@ namespace rubatlas::contact {
 ///     cr y' = F − kr y.
 /// On the receding side a blade bends under a finite load only (MODEL 4.2). Below that it stands straight,
 /// and the ring yields under it as under a rigid one: y is the depth of the tip, and F = kr y + cr y'.
-class ElasticBladeOnDampedRing {
+///
+/// Its equilibria are those of the blade in a ring of any radius: that is read from the gap of its pose
+/// alone.
+class ElasticBladeOnDampedRing : public ElasticaContact {
  public:
   /// `stiffness`: kr [N/m]; `damping`: cr ωn [N per (m per unit τ)], under each tip.
   ElasticBladeOnDampedRing(const ElasticaContact& blade, double stiffness, double damping)
-      : blade_(blade), straight_(blade.geometry(), stiffness, blade.friction(), damping) {}
+      : ElasticaContact(blade), straight_(geometry(), stiffness, friction(), damping) {}
 
-  [[nodiscard]] const Geometry& geometry() const { return blade_.geometry(); }
-  [[nodiscard]] Friction friction() const { return blade_.friction(); }
-  /// Its equilibria, in a ring of any radius: that is read from the gap of its pose alone.
-  [[nodiscard]] const ElasticaContact& blade() const { return blade_; }
   [[nodiscard]] const ElasticRingContact& straight() const { return straight_; }  ///< where it does not bend
   /// The same blade, shorter at its tip by `lost` [m].
   [[nodiscard]] ElasticBladeOnDampedRing shortened(double lost) const {
-    return {blade_.shortened(lost), straight_.stiffness(), straight_.damping()};
+    return {ElasticaContact::shortened(lost), straight_.stiffness(), straight_.damping()};
   }
-  /// How often the curve has been evaluated.
-  [[nodiscard]] std::uint64_t evaluations() const { return blade_.evaluations(); }
 
   /// dy/dτ [m per unit τ] under a load F [N].
   [[nodiscard]] double yielding_rate(double load, double yielding) const {
@@ -51,17 +46,15 @@ class ElasticBladeOnDampedRing {
   }
   /// Load above which a straight blade bends [N]; on the approaching side 0, or Euler's without friction.
   [[nodiscard]] double bending_load(const Pose& at, double slip, double angular_speed) const {
-    if (blade_.starts_unloaded(at, slip))
-      return blade_.curve().friction() > 0.0 ? 0.0 : blade::kEulerLoad * blade_.load_unit();
+    if (starts_unloaded(at, slip)) return curve().friction() > 0.0 ? 0.0 : blade::kEulerLoad * load_unit();
     Pose touching = at;
     touching.gap = 0.0;
     double bending = 0.0;
     TipForce force{};
-    return blade_.respond(touching, slip, angular_speed, bending, force) ? force.normal : 0.0;
+    return respond(touching, slip, angular_speed, bending, force) ? force.normal : 0.0;
   }
 
  private:
-  ElasticaContact blade_;
   ElasticRingContact straight_;
 };
 
