@@ -99,18 +99,16 @@ auto ElasticaContact::branches(const Pose& at, double slip) const -> Branches {
     const double at_next = slope(at, slip, following).sum;
     // Between two knots where h falls it may rise: near a highest value that is close to zero.
     const double drop = at_knot - std::min(at_before, at_next);
+    std::pair<double, double> top{};  // where h rises most steeply there, and −slope
     if (at_knot < 0.0 && at_knot > at_before && at_knot >= at_next && at_knot + drop > 0.0) {
       constexpr int kBits = 24;
       std::uintmax_t iterations = 60;
-      const auto top =
-          boost::math::tools::brent_find_minima([&](double bending) { return -rise_at(bending); },
-                                                knots[i - 1].bending, following.bending, kBits, iterations);
-      if (top.second < 0.0 && top.first < knots[i].bending) pass(top.first, -top.second);
-      pass(knots[i].bending, at_knot);
-      if (top.second < 0.0 && top.first > knots[i].bending) pass(top.first, -top.second);
-    } else {
-      pass(knots[i].bending, at_knot);
+      top = boost::math::tools::brent_find_minima([&](double bending) { return -rise_at(bending); },
+                                                  knots[i - 1].bending, following.bending, kBits, iterations);
     }
+    if (top.second < 0.0 && top.first < knots[i].bending) pass(top.first, -top.second);
+    pass(knots[i].bending, at_knot);
+    if (top.second < 0.0) pass(top.first, -top.second);
     at_knot = at_next;
   }
   if (falls && found.count < found.list.size()) close(curve_->end());
