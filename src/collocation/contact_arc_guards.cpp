@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collocation/axial_law.hpp"  // known here, it is called directly: 0.4 % of the default rotor
 #include "collocation/contact_arc.hpp"
 #include "collocation/interval_samples.hpp"
 #include "rotor/skimming.hpp"
