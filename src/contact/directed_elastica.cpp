@@ -202,17 +202,13 @@ auto DirectedElastica::solve_for_coefficient(const Pose& at, double slip, double
                                              double side) const -> std::optional<Bend> {
   constexpr int kSteps = 8;  // from the coefficient of the undeformed tip to the largest
   constexpr int kHalvings = 40;
-  const auto at_coefficient = [&](double coefficient) {
-    const DirectedElastica law(direction_, geometry_, {length_, 0.0, 1.0}, {coefficient});
-    const auto found = law.solve(at, 1.0, angular_speed, side);
-    evaluations_ += law.evaluations();
-    return found;
-  };
   // c − c(v) where the tip stands under c: negative at the least c, positive at the largest. Not a number
   // where the blade cannot stand on this side.
   std::optional<Bend> bend;
   const auto excess = [&](double coefficient) {
-    bend = at_coefficient(coefficient);
+    const DirectedElastica law = with_friction(Friction::coulomb(coefficient));
+    bend = law.solve(at, 1.0, angular_speed, side);
+    evaluations_ += law.evaluations();
     if (!bend) return std::numeric_limits<double>::quiet_NaN();
     return coefficient - constraint(at, slip, angular_speed, *bend).coefficient;
   };
@@ -247,8 +243,8 @@ auto DirectedElastica::solve_for_coefficient(const Pose& at, double slip, double
     lost = lost || !bend;
     return bend ? value : at_high;
   };
-  bend = at_coefficient(integrate::root_between(excess_or_end, low, high, at_low, at_high, kCoefficientBits));
-  if (!bend || lost) return std::nullopt;
+  excess_or_end(integrate::root_between(excess_or_end, low, high, at_low, at_high, kCoefficientBits));
+  if (lost) return std::nullopt;
   return newton(at, slip, angular_speed, *bend);
 }
 
