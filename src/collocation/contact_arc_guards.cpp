@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "collocation/axial_law.hpp"  // known here, it is called directly: 0.4 % of the default rotor
 #include "collocation/contact_arc.hpp"
+#include "collocation/damped_law.hpp"  // laws that are known are called directly: 0.4 % of the default rotor
 #include "collocation/interval_samples.hpp"
 #include "rotor/skimming.hpp"
 
