@@ -73,9 +73,8 @@ struct ContactStiffness::Tip {
   }
   /// (adj D) g_τ.
   [[nodiscard]] Eigen::Vector2d drift(const State& state, const Eigen::Vector2d& acceleration) const {
-    Eigen::Vector2d rates;
-    for (int i = 0; i < kMostUnknowns; ++i) rates[i] = rate(constraints.row(i), state, acceleration);
-    return adjugate() * rates;
+    return adjugate() * Eigen::Vector2d(rate(constraints.row(0), state, acceleration),
+                                        rate(constraints.row(1), state, acceleration));
   }
 };
 

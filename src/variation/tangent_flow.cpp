@@ -110,12 +110,10 @@ void TangentFlow::piece(trajectory::MotionPiece& piece, const std::function<void
 }
 
 Eigen::Vector2d TangentFlow::force_in(trajectory::MotionPiece& piece, double time) {
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
-    const std::complex<double> force = piece.contact_force(contact, time).on_rotor;
-    sum += Eigen::Vector2d(force.real(), force.imag());
-  }
-  return sum;
+  std::complex<double> sum;
+  for (std::size_t contact = 0; contact < piece.contact_count(); ++contact)
+    sum += piece.contact_force(contact, time).on_rotor;
+  return {sum.real(), sum.imag()};
 }
 
 double TangentFlow::longest_flight() const {
