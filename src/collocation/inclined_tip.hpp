@@ -26,7 +26,6 @@ struct InclinedBlade {
   };
   WithSlopes load;                    ///< P L²/EI = q²
   WithSlopes shortening, deflection;  ///< δ/L and |D|/L
-  Number arc;                         ///< q
   Number cosine;                      ///< cos(b/2)
 
   /// Sets the values, and with `kSlopes` the slopes. False where no rule is accurate enough.
@@ -90,7 +89,7 @@ struct InclinedBlade {
       }
     }
     const Number per_arc = Number(1.0) / arcs;
-    arc = largest * (4.0 * twice_quarter) * arcs;
+    const Number arc = largest * (4.0 * twice_quarter) * arcs;  // q
     load.value = arc * arc;
     shortening.value = shortenings * per_arc;
     deflection.value = deflections * per_arc;
