@@ -64,6 +64,26 @@ class ToolsElastica(unittest.TestCase):
         self.assertTrue(np.all(np.diff(shortening) > 0) and np.all(np.diff(load) > 0))
         self.assertAlmostEqual(shortening[-1], 0.5, delta=0.005)
 
+    def test_small_slopes_are_those_of_the_linear_equation_of_bending(self):
+        for friction in (0.05, 0.3):
+            load, shortening, deflection = elastica.up_to_shortening_with_small_slopes(friction, 0.5)
+            self.assertEqual((load[0], shortening[0], deflection[0]), (0.0, 0.0, 0.0))
+            self.assertAlmostEqual(shortening[-1], 0.5, delta=0.01)
+            root, tip = np.sqrt(load[1:, np.newaxis]), deflection[1:, np.newaxis]
+            x = np.linspace(0.0, 1.0, 2001)
+            # w'' = λ² (Δ − w + μ (1 − x)), clamped at the hub, and w(1) = Δ
+            bent = tip + friction * (1.0 - x) - (tip + friction) * np.cos(root * x) + friction / root * np.sin(root * x)
+            np.testing.assert_allclose(bent[:, -1], deflection[1:], rtol=1e-9)
+            slope = np.gradient(bent, x, axis=1, edge_order=2)
+            half_square = 0.5 * slope**2
+            np.testing.assert_allclose((0.5 * (half_square[:, 1:] + half_square[:, :-1])).mean(axis=1), shortening[1:],
+                                       rtol=1e-4, atol=1e-9)
+
+    def test_small_slopes_without_friction_are_those_of_a_column(self):
+        load, shortening, deflection = elastica.up_to_shortening_with_small_slopes(0.0, 0.5)
+        np.testing.assert_allclose(load[1:], elastica.EULER_LOAD, rtol=1e-12)
+        np.testing.assert_allclose(shortening[1:], (np.pi / 4.0 * deflection[1:]) ** 2, rtol=1e-12)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,18 +1,21 @@
 """Every picture: it is drawn by its command, holds what the atlas holds, and is labelled from the file."""
 import importlib
+import json
 import os
 import pathlib
 import re
+import shutil
 import sys
 import tempfile
 import unittest
 
+import h5py
 import numpy as np
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
 from pictures import TINY, Figure, PicturesCase, run  # noqa: E402
-from rubatlas import style  # noqa: E402
+from rubatlas import elastica, style  # noqa: E402
 from rubatlas.atlas_file import AtlasFile  # noqa: E402
 from rubatlas.plots import KINDS  # noqa: E402
 
@@ -88,6 +91,24 @@ class ToolsPictures(PicturesCase):
         self.assertTrue(missing.any() and not missing.all())
         np.testing.assert_array_equal(figure.figure.axes[0].images[1].get_array()[:, :, 3] > 0, missing)
         self.assertIn("left the model's validity", figure.texts())
+
+    def test_a_blade_is_drawn_as_its_contact_law_bends_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "atlas.h5"
+            shutil.copy(TINY / "atlas.h5", path)
+            ends = []
+            for law in ("elastica", "beam_column", "elastic_ring"):
+                with h5py.File(path, "r+") as atlas:
+                    scene = json.loads(atlas["scene_resolved"][()])
+                    scene["contact"]["law"] = law
+                    atlas["scene_resolved"][()] = json.dumps(scene)
+                if law != "elastic_ring":
+                    ends.append(Figure("blade", path).figure.axes[0].lines[0].get_xdata()[-1])
+            self.assertLess(ends[1], elastica.EULER_LOAD * 17.17)  # [N], of the default blade
+            self.assertGreater(ends[0], ends[1])
+            ended = run("blade", path, "-o", "none.png")
+            self.assertEqual(ended.returncode, 2)
+            self.assertIn("elastic_ring, under which blades are rigid; elastica and beam_column have", ended.stderr)
 
     def test_a_mistake_is_one_sentence_and_exit_code_2(self):
         ended = run("bifurcation", TINY / "atlas.h5", "-o", "none.png", "--damping_ratio", "0.7")

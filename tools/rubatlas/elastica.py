@@ -52,6 +52,15 @@ def up_to_shortening(friction, limit, count=400):
     return tuple(np.concatenate([[0.0], values[inside]]) for values in (load, shortening, deflection))
 
 
+def up_to_shortening_with_small_slopes(friction, limit, count=400):
+    """The same curve under the law `beam_column` (src/model.md, 4.8), over u = μ tan λ with λ² = F L²/EI."""
+    u = np.linspace(0.0, 2.0 * np.sqrt(limit) + 3.0 * friction, count + 1)[1:]  # its δ/L is at least `limit`
+    root = np.arctan2(u, friction)  # λ
+    shortening = 0.75 * friction**2 + 0.25 * u**2 - 0.75 * friction * u / root
+    inside = shortening <= limit
+    return tuple(np.concatenate([[0.0], values[inside]]) for values in (root**2, shortening, u / root - friction))
+
+
 def angles_from_tip(tips, lengths):
     """Angles ψ between blade and force, a row for each at the tip (below π) and a column for each length from there.
 

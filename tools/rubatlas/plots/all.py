@@ -12,6 +12,7 @@ import pathlib
 
 from rubatlas import command_line
 from rubatlas.atlas_file import AtlasFile
+from rubatlas.plots.blade import CURVES
 from rubatlas.same_scene import require_maps_of
 
 
@@ -33,7 +34,7 @@ def pictures(atlas, maps):
             found += [(f"displacement{behind}", "displacement", along), (f"sensitivity{behind}", "map", along)]
             if "class_blade_passing" in maps:
                 found.append((f"sensitivity_blade_passing{behind}", "map", [*along, "--passing"]))
-    if atlas.scene["contact"]["law"] == "elastica":  # rigid blades have no curve of force over displacement
+    if atlas.scene["contact"]["law"] in CURVES:  # rigid blades have no curve of force over displacement
         found.append(("blade", "blade", []))
     return found
 

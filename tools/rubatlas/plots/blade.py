@@ -13,6 +13,8 @@ from rubatlas import style
 from rubatlas.atlas_file import AtlasError, AtlasFile
 
 
+#: Contact law → load, shortening and deflection of its blades.
+CURVES = {"elastica": elastica.up_to_shortening, "beam_column": elastica.up_to_shortening_with_small_slopes}
 NAMES = {"shortening": "Axial shortening δ [mm]", "deflection": "Lateral deflection Δ [mm]"}
 
 
@@ -21,9 +23,10 @@ def into(panel, line, what="shortening", every_friction=True):
     atlas = line.atlas
     if what not in NAMES:
         raise AtlasError(f"{what!r}: a blade's picture is one of {' and '.join(NAMES)}")
-    if atlas.scene["contact"]["law"] != "elastica":
-        raise AtlasError(f"{atlas.path}: its contact law is {atlas.scene['contact']['law']}, "
-                         "under which blades are rigid; only elastica has curves to draw")
+    law = atlas.scene["contact"]["law"]
+    if law not in CURVES:
+        raise AtlasError(f"{atlas.path}: its contact law is {law}, under which blades are rigid; "
+                         f"{' and '.join(CURVES)} have curves to draw")
     blades = line.scene["blades"]
     length, thickness = blades["length"], float(line.value("thickness"))
     rigidity = blades["youngs_modulus"] * blades["width"] * thickness**3 / 12.0  # EI [N m²]
@@ -31,7 +34,7 @@ def into(panel, line, what="shortening", every_friction=True):
     frictions = atlas.axis("friction") if every_friction else [float(line.value("friction"))]
     colours = style.plt.get_cmap(style.SEQUENTIAL)(np.linspace(0.0, 0.88, len(frictions)))
     for friction, colour in zip(frictions, colours):
-        load, shortening, deflection = elastica.up_to_shortening(friction, limit_of(atlas))
+        load, shortening, deflection = CURVES[law](friction, limit_of(atlas))
         values = shortening if what == "shortening" else deflection
         if friction == 0.0:
             load[0] = elastica.EULER_LOAD  # a column stands straight below it
