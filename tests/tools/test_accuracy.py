@@ -128,14 +128,15 @@ class ToolsAccuracy(unittest.TestCase):
         accuracy.put_into_page(page, "table")
         self.assertIn(f"{accuracy.BEGIN}\ntable\n{accuracy.END}", page.read_text())
 
-    def test_a_mistake_is_one_sentence_and_exit_code_2(self):
+    def test_a_mistake_is_one_sentence_and_an_exit_code(self):
         page = self.folder / "page.md"
         page.write_text("no marks")
-        for arguments, sentence in (((TINY / "atlas.h5",), "not a study that `rubatlas accuracy` has written"),
-                                    ((TINY / "accuracy.h5", "--page", page), "no lines <!-- accuracy: begin -->"),
-                                    ((TINY / "accuracy.h5", "--reference", page), "not reference data")):
+        for arguments, code, sentence in (
+                ((TINY / "atlas.h5",), 3, "not a study that `rubatlas accuracy` has written, or damaged"),
+                ((TINY / "accuracy.h5", "--page", page), 2, "no lines <!-- accuracy: begin -->"),
+                ((TINY / "accuracy.h5", "--reference", page), 2, "not reference data")):
             ended = run(*arguments, "-o", self.folder)
-            self.assertEqual(ended.returncode, 2)
+            self.assertEqual(ended.returncode, code)
             self.assertTrue(ended.stderr.startswith("rubatlas-plot accuracy: ") and sentence in ended.stderr,
                             ended.stderr)
             self.assertEqual(ended.stderr.count("\n"), 1, ended.stderr)

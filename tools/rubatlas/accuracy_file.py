@@ -4,10 +4,9 @@ Arrays have the settings first and all points of the grid behind; what did not e
 """
 import json
 
-import h5py
 import numpy as np
 
-from rubatlas.atlas_file import DONE, UNREADABLE, AtlasError, clearance_of, printable, swept_pointers, text, with_values
+from rubatlas.atlas_file import DONE, AtlasError, clearance_of, printable, reading, swept_pointers, text, with_values
 
 # Parameters of a reference case, and where a resolved scene states them.
 PARAMETERS = {"R": "/ring/radius", "L": "/blades/length", "rh": "/blades/hub_radius", "m": "/rotor/mass",
@@ -21,16 +20,13 @@ class AccuracyFile:
 
     def __init__(self, path):
         self.path = str(path)
-        try:
-            with h5py.File(path, "r") as file:
-                self.data = {name: file[name][()] for name in file if file[name].dtype.kind in "fiu"}
-                self.words = [text(word) for word in file["method"][...]]
-                self.attributes = dict(file.attrs)
-                self.scene = json.loads(file["scene_resolved"][()])
-                self.axes = [next(iter(dimension.values())).name.strip("/") for dimension in file["status"].dims][1:]
-                self.repeats = int(file.attrs["repeats"])
-        except UNREADABLE:
-            raise AtlasError(f"{path}: not a study that `rubatlas accuracy` has written, or damaged") from None
+        with reading(path, "a study that `rubatlas accuracy` has written") as file:
+            self.data = {name: file[name][()] for name in file if file[name].dtype.kind in "fiu"}
+            self.words = [text(word) for word in file["method"][...]]
+            self.attributes = dict(file.attrs)
+            self.scene = json.loads(file["scene_resolved"][()])
+            self.axes = [next(iter(dimension.values())).name.strip("/") for dimension in file["status"].dims][1:]
+            self.repeats = int(file.attrs["repeats"])
         self.done = self._flat("status") == DONE
 
     def __getitem__(self, name):

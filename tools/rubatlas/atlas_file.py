@@ -93,6 +93,10 @@ class AtlasError(Exception):
     """The file does not contain what was asked for; the text says what it contains."""
 
 
+class UnreadableFile(AtlasError):
+    """The file is damaged, or not of the kind that it should be."""
+
+
 def text(value):
     """A string as HDF5 hands it out, which may be bytes."""
     return value.decode() if isinstance(value, bytes) else str(value)
@@ -111,7 +115,7 @@ EDGES = "a file of edges that `rubatlas edges` has written"  # as `reading` name
 
 @contextlib.contextmanager
 def reading(path, what):
-    """The HDF5 file at `path`, open within the block; one that cannot be read is an AtlasError: it is not `what`."""
+    """The HDF5 file at `path`, open within the block; one that cannot be read is not `what`."""
     if not os.path.exists(path):
         raise AtlasError(f"{path}: no such file")
     if not os.path.isfile(path):
@@ -120,7 +124,7 @@ def reading(path, what):
         with h5py.File(path, "r") as file:
             yield file
     except UNREADABLE:
-        raise AtlasError(f"{path}: not {what}, or damaged") from None
+        raise UnreadableFile(f"{path}: not {what}, or damaged") from None
 
 
 SOMETIMES = ("seam", "settled")  # rows of scenes whose lines are cut, whose transients end on cycles
@@ -137,7 +141,7 @@ class _Examination:
         self.examined = {}  # datasets by name: of scales there are few, and many run along them
 
     def refuse(self, fact):
-        raise AtlasError(f"{self.path}: {fact}; the file is damaged, or not one of rubatlas")
+        raise UnreadableFile(f"{self.path}: {fact}; the file is damaged, or not one of rubatlas")
 
     def dataset(self, name):
         if name in self.examined:

@@ -9,7 +9,7 @@ import re
 import sys
 import tempfile
 
-from rubatlas.atlas_file import AtlasError, AtlasFile, beside
+from rubatlas.atlas_file import AtlasError, AtlasFile, UnreadableFile, beside
 from rubatlas.same_scene import require_maps_of
 
 LINE_AXES = ["damping_ratio", "friction", "unbalance", "thickness", "direction"]
@@ -186,13 +186,14 @@ def write_picture(figure, options):
 # --- how a command ends ---
 
 def end_on_mistakes(work):
-    """Runs `work`; a mistake is a sentence on stderr and exit code 2, a refusal by the system 3, never a traceback."""
+    """Runs `work`; a mistake is a sentence on stderr and exit code 2, a damaged file or a refusal by the system 3, never
+    a traceback."""
     name = pathlib.Path(sys.argv[0]).name
     try:
         work()
     except AtlasError as error:
         print(f"{name}: {error}", file=sys.stderr)
-        sys.exit(2)
+        sys.exit(3 if isinstance(error, UnreadableFile) else 2)
     except OSError as error:
         print(f"{name}: {error.filename or ''}: {error.strerror or error}".replace(": :", ":"), file=sys.stderr)
         sys.exit(3)

@@ -8,12 +8,11 @@ Several orbits of one rotor have a panel each, and no forces.
 """
 import json
 
-import h5py
 import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import DONE, UNREADABLE, AtlasError, clearance_of, printable, swept_pointers, text, with_values
+from rubatlas.atlas_file import DONE, AtlasError, clearance_of, printable, reading, swept_pointers, text, with_values
 from rubatlas.same_scene import require_same_machine
 
 
@@ -26,20 +25,16 @@ class OrbitFile:
     def __init__(self, path, name=None):
         """`name`: what errors call it, the path by default."""
         self.path = path
-        name = name or path
-        try:
-            with h5py.File(path, "r") as file:
-                self.data = {name: file[name][...] for name in DATASETS}
-                self.units = {name: text(file[name].attrs["units"]) for name in self.data}
-                self.attributes = dict(file.attrs)
-                self.scene = json.loads(file["scene_resolved"][()])
-        except UNREADABLE:
-            raise AtlasError(f"{name}: not an orbit that `rubatlas orbit` has written, or damaged") from None
+        with reading(path, "an orbit that `rubatlas orbit` has written") as file:
+            self.data = {name: file[name][...] for name in DATASETS}
+            self.units = {name: text(file[name].attrs["units"]) for name in self.data}
+            self.attributes = dict(file.attrs)
+            self.scene = json.loads(file["scene_resolved"][()])
         self.further_axes = sorted(swept_pointers(self.scene))
         self.scene = with_values(self.scene, self.attributes)
         if self.attributes["status"] != DONE:
             revolution, why = (self.attributes[one] for one in ("failed_revolution", "status_detail_meaning"))
-            raise AtlasError(f"{name}: no orbit to draw; the motion ended in revolution {revolution}: {text(why)}")
+            raise AtlasError(f"{name or path}: no orbit to draw; the motion ended in revolution {revolution}: {text(why)}")
 
     def attribute(self, name):
         return printable(self.attributes.get(name, ""))
