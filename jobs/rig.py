@@ -318,7 +318,7 @@ def measured(options):
 
 
 def main():
-    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments = command_line.Arguments(__doc__)
     arguments.add_argument("what", choices=("unknowns", "measured"))
     arguments.add_argument("--scene", type=pathlib.Path, help="in place of rig_unknowns.json, rig_measured.json")
     arguments.add_argument("--beside", type=pathlib.Path, default=ROOT / "jobs/rig.json",

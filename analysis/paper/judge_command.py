@@ -7,7 +7,6 @@ maps of an atlas (`rubatlas analyse`) are ATLAS_maps.h5 beside it, or stand behi
 statement shows those that cover it; --short has one line for each statement. --json keeps everything, of which
 `analysis/paper/statement_map` draws a map.
 """
-import argparse
 import itertools
 import json
 import pathlib
@@ -124,9 +123,7 @@ def _require_own(path: pathlib.Path, start: str) -> None:
 
 
 def main() -> None:
-    description, *rest = (__doc__ or "").strip().splitlines()
-    arguments = argparse.ArgumentParser(description=description, epilog="\n".join(rest),
-                                        formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments = command_line.Arguments(__doc__ or "")
     arguments.add_argument("files", nargs="+", metavar="ATLAS.h5", help="atlases, each with its maps behind it")
     arguments.add_argument("--short", action="store_true", help="one line for each statement, as Markdown")
     arguments.add_argument("--json", type=pathlib.Path, metavar="FILE.json", help="keeps all verdicts and findings")

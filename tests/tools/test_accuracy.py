@@ -134,7 +134,8 @@ class ToolsAccuracy(unittest.TestCase):
         for arguments, code, sentence in (
                 ((TINY / "atlas.h5",), 3, "not a study that `rubatlas accuracy` has written, or damaged"),
                 ((TINY / "accuracy.h5", "--page", page), 2, "no lines <!-- accuracy: begin -->"),
-                ((TINY / "accuracy.h5", "--reference", page), 2, "not reference data")):
+                ((TINY / "accuracy.h5", "--reference", page), 2, "not reference data"),
+                ((TINY / "accuracy.h5", "--goal", "nan"), 2, "--goal: nan is no finite number above 0")):
             ended = run(*arguments, "-o", self.folder)
             self.assertEqual(ended.returncode, code)
             self.assertTrue(ended.stderr.startswith("rubatlas-plot accuracy: ") and sentence in ended.stderr,

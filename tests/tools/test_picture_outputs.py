@@ -28,13 +28,31 @@ class ToolsOutputs(unittest.TestCase):
     def test_numbers_that_draw_nothing_are_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             output = pathlib.Path(folder) / "picture.png"
-            for tool, source, option in (("displacement", "atlas.h5", "--dpi"), ("orbit", "orbit.h5", "--revolutions")):
-                for value in ("0", "-2", "nan", "1e9"):
+            for tool, source, option, values in (("displacement", "atlas.h5", "--dpi", ("1", "1e9")),
+                                                 ("waterfall", "atlas.h5", "--max_frequency", ("inf",)),
+                                                 ("orbit", "orbit.h5", "--revolutions", ("1.5", "1e9"))):
+                for value in ("0", "-2", "nan", *values):
                     with self.subTest(option + value):
-                        ended = ended_command("rubatlas-plot", tool, TINY / source, f"{option}={value}", "-o", output)
-                        self.assertEqual(ended.returncode, 2)
-                        self.assertIn(f"{option}: {value} is no", ended.stderr)
+                        self.expect_refusal(output, f"{option}: {value} is no .* number ", tool, TINY / source,
+                                            [f"{option}={value}"])
                         self.assertFalse(output.exists())
+
+    def test_a_mistaken_argument_is_one_sentence(self):
+        for arguments, sentence in ((["--of", "x"], "unrecognized arguments: --of x"), (["--dpi"], "--dpi: expected"),
+                                    (["--zoom", "1"], "--zoom: 1 is no range")):
+            self.expect_refusal(self.folder / "a.png", sentence, "bifurcation", arguments=arguments)
+        ended = ended_command("rubatlas-report", TINY / "atlas.h5", "--orbits", "few")
+        self.assertEqual((ended.returncode, ended.stderr),
+                         (2, "rubatlas-report: argument --orbits: few is no whole number\n"))
+
+    def test_a_damaged_atlas_is_no_mistake_of_the_call(self):
+        whole = (TINY / "atlas.h5").read_bytes()
+        for content in (whole[:len(whole) // 2], b"", whole.replace(b'"natural_frequency"', b'"natural_frequence"')):
+            path = self.folder / "damaged.h5"
+            path.write_bytes(content)
+            ended = ended_command("rubatlas-plot", "displacement", path, "-o", self.folder / "a.png")
+            self.assertEqual((ended.returncode, ended.stderr.count("\n")), (3, 1), ended.stderr)
+            self.assertIn("damaged", ended.stderr)
 
     def test_an_unknown_ending_is_refused(self):
         for name in ("a.jpeg", "a", "a.h5"):

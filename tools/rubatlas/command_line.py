@@ -18,16 +18,17 @@ LINE_AXES = ["damping_ratio", "friction", "unbalance", "thickness", "direction"]
 PICTURES = {".png": (b"\x89PNG\r\n",), ".pdf": (b"%PDF-",), ".svg": (b"<?xml", b"<svg")}
 
 
-def positive(kind, most=math.inf):
-    """The type of an option that is a number above zero, and at most `most`."""
+def positive(kind, least=sys.float_info.min, most=sys.float_info.max):
+    """The type of an option that is a finite number above zero, or one between two limits."""
     def read(word):
         try:
             value = kind(word)
         except ValueError:
             value = 0
-        if not 0 < value <= most:
-            number, limit = "whole number" if kind is int else "number", f" and up to {most}" if most < math.inf else ""
-            raise argparse.ArgumentTypeError(f"{word} is no {number} above 0{limit}")
+        if not least <= value <= most:
+            number = "whole number" if kind is int else "finite number"
+            limits = f"from {least} to {most}" if most < sys.float_info.max else "above 0"
+            raise argparse.ArgumentTypeError(f"{word} is no {number} {limits}")
         return value
     return read
 
@@ -51,7 +52,8 @@ def add_size(arguments):
     """The options of a picture's size."""
     arguments.add_argument("--width", type=width, help="width in print, such as 85mm, the column of a journal: letters "
                                                        "and legends are arranged for it")
-    arguments.add_argument("--dpi", type=positive(float, 2400), help="resolution (default: 150, with --width 300)")
+    arguments.add_argument("--dpi", type=positive(float, 10, 2400),
+                           help="resolution (default: 150, with --width 300)")
 
 
 def resolution(options):
@@ -59,11 +61,21 @@ def resolution(options):
     return options.dpi or (150.0 if options.width is None else 300.0)
 
 
+class Arguments(argparse.ArgumentParser):
+    """The arguments of a command, which the text of its module describes; a mistake in them is one sentence."""
+
+    def __init__(self, description, **more):
+        first, *rest = description.strip().splitlines()
+        super().__init__(description=first, epilog="\n".join(rest),
+                         formatter_class=argparse.RawDescriptionHelpFormatter, **more)
+
+    def error(self, message):
+        self.exit(2, f"{self.prog}: {message}\n")
+
+
 def parser(description, source="ATLAS.h5", line=True):
     """Parser with the file to read, `-o`, and (where a line is drawn) one option per axis that picks it."""
-    result = argparse.ArgumentParser(description=description.strip().splitlines()[0],
-                                     epilog="\n".join(description.strip().splitlines()[1:]),
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = Arguments(description)
     result.add_argument("source", metavar=source)
     result.add_argument("-o", "--output", required=True, metavar="PICTURE.png", help="PNG, SVG or PDF, by its ending")
     add_size(result)

@@ -223,15 +223,14 @@ def draw(options):
 
 
 def parser():
-    first, *rest = __doc__.strip().splitlines()
-    result = argparse.ArgumentParser(description=first, epilog="\n".join(rest),
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = command_line.Arguments(__doc__)
     result.add_argument("source", metavar="ACCURACY.h5")
     result.add_argument("-o", "--output", required=True, type=pathlib.Path, metavar="FOLDER")
     result.add_argument("--map", metavar="MAP.h5", help="a study of more points, for the error of the map")
     result.add_argument("--reference", metavar="ORBITS.json", help="compare sections with these data too")
     result.add_argument("--page", type=pathlib.Path, metavar="README.md", help="put the table into this page")
-    result.add_argument("--goal", type=float, default=1e-6, help="error at which methods are compared (default: 1e-6)")
+    result.add_argument("--goal", type=command_line.positive(float), default=1e-6,
+                        help="error at which methods are compared (default: 1e-6)")
     command_line.add_size(result)
     return result
 

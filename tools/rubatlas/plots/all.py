@@ -6,7 +6,6 @@ With several swept parameters stack.png, displacement.png and sensitivity.png ar
 stack_AXIS.png and so on along each of the others. Of an atlas whose initial state is an axis there
 is one picture, basins.png: a line has one of many initial states, and says little.
 """
-import argparse
 import importlib
 import pathlib
 
@@ -55,9 +54,7 @@ def draw(options):
 
 
 def main(arguments_given):
-    first, *rest = __doc__.strip().splitlines()
-    arguments = argparse.ArgumentParser(description=first, epilog="\n".join(rest),
-                                        formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments = command_line.Arguments(__doc__)
     arguments.add_argument("source", metavar="ATLAS.h5")
     arguments.add_argument("-o", "--output", required=True, type=pathlib.Path, metavar="FOLDER")
     command_line.add_size(arguments)

@@ -68,7 +68,7 @@ def into(panel, line, max_frequency=None):
     atlas = line.atlas
     speed, order, amplitude = atlas.axis("speed_ratio"), atlas.axis("order"), line.rows("spectrum")
     factor = style.drawn(atlas.units("spectrum"))[1]
-    top = max_frequency or min(4.0, order[-1] * speed[-1])
+    top = min(4.0, order[-1] * speed[-1]) if max_frequency is None else max_frequency
     edges = np.linspace(0.0, top, 501)
     amplitude[:, 0] = 0.0 * amplitude[:, 0]  # the mean position is no vibration; no motion stays NaN
     shown = factor * by_frequency(speed, order, amplitude, edges)
@@ -109,5 +109,6 @@ def draw(options):
 
 def main(arguments_given):
     arguments = command_line.parser(__doc__)
-    arguments.add_argument("--max_frequency", type=float, help="right end, in natural frequencies (default: 4 or less)")
+    arguments.add_argument("--max_frequency", type=command_line.positive(float),
+                           help="right end, in natural frequencies (default: 4 or less)")
     command_line.run(draw, arguments.parse_args(arguments_given))

@@ -98,9 +98,7 @@ def orbit_count(word):
 
 def main():
     """The command `rubatlas-report`."""
-    parser = argparse.ArgumentParser(prog="rubatlas-report", description=__doc__.strip().splitlines()[0],
-                                     epilog="\n".join(__doc__.strip().splitlines()[1:]),
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = command_line.Arguments(__doc__, prog="rubatlas-report")
     parser.add_argument("source", metavar="ATLAS.h5")
     parser.add_argument("-o", "--output", metavar="REPORT.html", help="default: ATLAS.html in the present folder")
     parser.add_argument("--maps", metavar="MAPS.h5",
