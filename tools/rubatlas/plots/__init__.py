@@ -2,7 +2,7 @@
 
 #: Kind → what it shows. The commands, the gallery and their tests go by this list.
 KINDS = {
-    "all": "every picture below that an atlas and its maps have to show, into a folder",
+    "all": "every picture that an atlas and its maps have to show, into a folder",
     "bifurcation": "x and y at the Poincaré sections, and the maximum displacement, over the speed ratio",
     "stack": "bifurcation diagrams one above the other, one for each value of a parameter",
     "waterfall": "spectrum of x over the speed ratio",

@@ -81,6 +81,9 @@ def class_cells_of(maps, lines, name="class"):
     """The classes of motion of lines of an atlas, as `style.cells_into` draws them."""
     atlas = lines[0].atlas
     require_maps_of(atlas, maps)
+    if name not in maps:
+        raise AtlasError(f"{maps.path}: it has no /{name}; `rubatlas analyse` writes it for atlases with "
+                         "poincare_blade_passing")
     classes = np.array([np.where(line.chosen(), maps.dataset(name)[line.index], 0) for line in lines])
     status = np.array([line.status() for line in lines])
     untouched = np.array([line.chosen() & (maps.dataset("contact")[line.index] == NO_CONTACT) for line in lines])

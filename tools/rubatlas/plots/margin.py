@@ -36,8 +36,8 @@ def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
     """A margin of the maps; returns the image, for a colour bar, and the legend of points without a margin."""
     require_maps_of(atlas, maps)
     if dataset_of(name) not in maps:
-        raise AtlasError(f"{maps.path}: it has no /{dataset_of(name)}; `rubatlas analyse` writes margins along axes "
-                         "with several values")
+        raise AtlasError(f"{maps.path}: it has no /{dataset_of(name)}; `rubatlas analyse` writes margins where "
+                         "motions have classes, along axes with several values")
     along, lines, place = rows_of(atlas, along, wanted)
     values = np.abs(np.array([np.where(line.chosen(), maps.file[dataset_of(name)][line.index], np.nan)
                               for line in lines]))

@@ -66,7 +66,7 @@ def mark_orders(panel, top, blades):
 def into(panel, line, max_frequency=None):
     """The spectra of a line over frequency and speed ratio; returns the image, for a colour bar."""
     atlas = line.atlas
-    speed, order, amplitude = atlas.axis("speed_ratio"), atlas.axis("order"), line.rows("spectrum")
+    amplitude, speed, order = line.rows("spectrum"), atlas.axis("speed_ratio"), atlas.axis("order")
     factor = style.drawn(atlas.units("spectrum"))[1]
     top = min(4.0, order[-1] * speed[-1]) if max_frequency is None else max_frequency
     edges = np.linspace(0.0, top, 501)
