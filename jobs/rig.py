@@ -264,7 +264,7 @@ def draw_records(records, options):
             for panel in (sections, largest):
                 panel.axvspan(low, high, color=style.GREY, alpha=0.06 + 0.10 * (at % 2), lw=0, zorder=0)
         frequency = np.linspace(0.0, 3.0, 361)
-        shown = by_frequency(record.speed, record.order, spectra_shown[name] * (record.order > 0.0), frequency)
+        shown = by_frequency(record.speed, record.order, spectra_shown[name], frequency)
         image = waterfall.pcolormesh(
             frequency, style.edges_of(record.speed), np.maximum(shown, 1e-4 * top), cmap="magma", rasterized=True,
             norm=style.matplotlib.colors.LogNorm(1e-4 * top, top))

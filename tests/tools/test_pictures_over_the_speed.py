@@ -208,6 +208,21 @@ class PicturesOverTheSpeed(PicturesCase):
             lit = middle[row == 1.0]
             self.assertTrue(len(lit) and np.all(np.abs(lit - 3.0 * ratio) <= 0.5 * 0.1 * ratio + 0.01), lit)
 
+    def test_the_waterfall_is_blank_beyond_the_highest_order_and_has_no_mean_position(self):
+        waterfall = importlib.import_module("rubatlas.plots.waterfall")
+        order, amplitude = np.arange(0, 13) / 2.0, np.ones((2, 13))
+        amplitude[:, 0] = 9.0
+        shown = waterfall.by_frequency(np.array([0.25, 0.5]), order, amplitude, np.linspace(0.0, 4.0, 401))
+        np.testing.assert_array_equal(np.isnan(shown).argmax(axis=1), [151, 301])  # the highest line is at 150
+        np.testing.assert_array_equal(shown[np.isfinite(shown)], 1.0)
+        figure = Figure("waterfall", TINY / "atlas.h5", "--damping_ratio", 0.05)
+        self.assertIn("left the model's validity", figure.texts())
+        spectra, missing = figure.figure.axes[0].images
+        with AtlasFile(TINY / "atlas.h5") as atlas:
+            status = atlas.line(damping_ratio=0.05).status()
+        np.testing.assert_array_equal(missing.get_array()[:, 0, 3] > 0, status == 2)
+        np.testing.assert_array_equal(np.ma.getmaskarray(spectra.get_array())[:, 0], status == 2)
+
     def test_the_waterfall_keeps_the_height_of_a_narrow_line(self):
         waterfall = importlib.import_module("rubatlas.plots.waterfall")
         order, amplitude = np.arange(0, 1201) / 100.0, np.full((1, 1201), 1e-6)

@@ -94,7 +94,7 @@ class Plots:
         """The spectrum over frequency and speed ratio."""
         line = self._picked(line)
         with _panel(ax) as panel, self._file() as atlas:
-            image = waterfall.into(panel, atlas.line(**line), max_frequency)
+            image, _ = waterfall.into(panel, atlas.line(**line), max_frequency)
             panel.figure.colorbar(image, ax=panel, pad=0.02, label=waterfall.bar_label(atlas))
             return panel
 

@@ -13,25 +13,26 @@ import numpy as np
 from rubatlas import command_line
 from rubatlas import style
 from rubatlas.atlas_file import AtlasFile
+from rubatlas.plots.map import place_of
 
 
 def by_frequency(speed, order, amplitude, edges):
     """Regrids each speed's line spectrum to frequency bins; a bin holds the largest amplitude that falls into it.
 
     Averages would sink a sharp line where bins are wider than the spacing of the orders. A bin without a line, where
-    they are narrower, takes the line nearest to its middle. Returns (speeds, bins); 0 beyond the highest order.
+    they are narrower, takes the line nearest to its middle. The mean position, of order 0, is no vibration. Returns
+    (speeds, bins); NaN beyond the highest order, and where there is no motion.
     """
+    order, amplitude = order[1:], amplitude[:, 1:]
     middle = 0.5 * (edges[1:] + edges[:-1])
-    result = np.zeros((len(speed), len(middle)))
+    result = np.empty((len(speed), len(middle)))
     for row, (ratio, spectrum) in enumerate(zip(speed, amplitude)):
         frequency = order * ratio
-        nearest = np.clip(np.rint(middle / (ratio * order[1])).astype(int), 0, len(order) - 1)
-        result[row] = np.where(middle <= frequency[-1], spectrum[nearest], 0.0)
-        if np.isnan(spectrum).any():
-            continue  # no motion
+        nearest = np.clip(np.rint(middle / frequency[0]) - 1, 0, len(order) - 1).astype(int)
+        result[row] = np.where(middle <= frequency[-1], spectrum[nearest], np.nan)
         bins = np.digitize(frequency, edges) - 1
         inside = (bins >= 0) & (bins < len(middle))
-        np.maximum.at(result[row], bins[inside], spectrum[inside])
+        np.fmax.at(result[row], bins[inside], spectrum[inside])
     return result
 
 
@@ -64,30 +65,27 @@ def mark_orders(panel, top, blades):
 
 
 def into(panel, line, max_frequency=None):
-    """The spectra of a line over frequency and speed ratio; returns the image, for a colour bar."""
+    """The spectra of a line over frequency and speed ratio; returns the image, for a colour bar, and the legend of
+    speeds without a motion."""
     atlas = line.atlas
     amplitude, speed, order = line.rows("spectrum"), atlas.axis("speed_ratio"), atlas.axis("order")
     factor = style.drawn(atlas.units("spectrum"))[1]
     top = min(4.0, order[-1] * speed[-1]) if max_frequency is None else max_frequency
     edges = np.linspace(0.0, top, 501)
-    amplitude[:, 0] = 0.0 * amplitude[:, 0]  # the mean position is no vibration; no motion stays NaN
     shown = factor * by_frequency(speed, order, amplitude, edges)
     largest = np.nanmax(shown, initial=0.0)
     floor = 1e-6 * largest if largest > 0 else 1e-12
-    half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
-    colours = style.plt.get_cmap("magma").copy()
-    colours.set_bad("#dcdce4")
-    image = panel.imshow(np.ma.masked_invalid(np.maximum(shown, floor)), origin="lower", aspect="auto",
-                         extent=(0.0, top, speed[0] - half, speed[-1] + half), cmap=colours,
-                         norm=style.matplotlib.colors.LogNorm(floor, max(largest, 10 * floor)), interpolation="nearest")
+    low, high, *_ = place_of(speed, 1)["extent"]
+    place = {**place_of(speed, 1), "extent": (0.0, top, low, high)}
+    image = panel.imshow(np.ma.masked_invalid(np.maximum(shown, floor)), cmap="magma",
+                         norm=style.matplotlib.colors.LogNorm(floor, max(largest, 10 * floor)), **place)
+    gaps = style.cells_into(panel, style.missing_cells(line.status()[:, np.newaxis]), place)
     panel.grid(False)
-    panel.set_xlim(0.0, top)
-    panel.set_ylim(speed[0] - half, speed[-1] + half)
     panel.tick_params(axis="x", pad=7.0)  # the marks stand between
     mark_orders(panel, top, line.scene["blades"]["count"])
     panel.set_xlabel("Frequency / natural frequency [-]")
     panel.set_ylabel(style.label(atlas, "speed_ratio"))
-    return image
+    return image, gaps
 
 
 def bar_label(atlas):
@@ -98,11 +96,12 @@ def draw(options):
     with AtlasFile(options.source) as atlas:
         line = atlas.line(**command_line.wanted(options, atlas.axes))
         figure, ((panel,),) = style.subplots(options, 1, 1, (8.5, 6.2))
-        image = into(panel, line, options.max_frequency)
+        image, gaps = into(panel, line, options.max_frequency)
         style.rpm_axis(panel, atlas.sizes(), upwards=True)
         # The marks of the orders stand on the right.
         where = "bottom" if style.is_narrow(options) else "right"
         figure.colorbar(image, ax=panel, pad=0.02, location=where, label=bar_label(atlas))
+        style.legend(panel, options, gaps, "below")
         style.title(figure, atlas, line.describe() + "\n\n")
         style.save(figure, options)
 
