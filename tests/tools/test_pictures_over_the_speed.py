@@ -9,6 +9,7 @@ import unittest
 
 import h5py
 import numpy as np
+from matplotlib import pyplot as plt
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
@@ -79,6 +80,18 @@ class PicturesOverTheSpeed(PicturesCase):
             shade[(speed > left) & (speed < right)] = patch.get_alpha()
         np.testing.assert_allclose(shade, np.where(missing > 0, 0.25 + 0.75 * missing, 0.0), rtol=1e-12)
         self.assertTrue(0.0 < missing.max() < 1.0)
+
+    def test_a_point_between_points_without_a_motion_has_a_mark(self):
+        _, panel = plt.subplots()
+        style.curve(panel, np.arange(7), np.array([1.0, np.nan, 2.0, np.nan, 3.0, 4.0, np.nan]), color="k")
+        line, = panel.lines
+        self.assertEqual(line.get_marker(), ".")
+        np.testing.assert_array_equal(np.flatnonzero(line.get_markevery()), [0, 2])
+        for tool, of_it in (("displacement", 0), ("bifurcation", 2), ("signature", 2)):
+            maps = ["--maps", TINY / "maps.h5"] if tool == "signature" else []
+            for damping, marked in ((0.05, True), (0.2, False)):
+                panel = Figure(tool, TINY / "atlas.h5", "--damping_ratio", damping, *maps).figure.axes[of_it]
+                self.assertEqual(np.any(panel.lines[0].get_markevery()), marked, tool)
 
     def test_speeds_that_are_not_evenly_spaced_are_shaded_up_to_halfway(self):
         np.testing.assert_allclose(style.edges_of([0.1, 0.2, 0.4]), [0.05, 0.15, 0.3, 0.5])

@@ -237,6 +237,13 @@ def mark_missing(axes, speed, status):
     return handles
 
 
+def curve(panel, x, values, **look):
+    """A thin line over x; what is known between two values that are not, which a line does not show, has a mark."""
+    known = np.pad(np.isfinite(values), 1)
+    alone = known[1:-1] & ~known[:-2] & ~known[2:]
+    panel.plot(x, values, **{"lw": 0.9, "ms": 3.5, "marker": "." if alone.any() else None, "markevery": alone, **look})
+
+
 def missing_cells(status):
     """Which points have no motion, and the entry of the palette that says why."""
     return [(entry, status == entry["status"]) for entry in PALETTE["no_motion"]]

@@ -94,7 +94,7 @@ def draw(options):
             panel.set_xlabel("")
         if with_displacement:
             units, factor = style.drawn(atlas.units("max_displacement"))
-            panels[2].plot(speed, factor * line.rows("max_displacement"), color=style.INK, lw=0.9)
+            style.curve(panels[2], speed, factor * line.rows("max_displacement"), color=style.INK)
             panels[2].set_ylabel(f"max. displacement [{units}]")
             panels[2].set_ylim(bottom=0)
             clearance = factor * line.clearance

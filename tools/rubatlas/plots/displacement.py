@@ -22,7 +22,7 @@ def into(panel, atlas, along, wanted):
     colours = style.plt.get_cmap(style.SEQUENTIAL)([0.92 * i / max(1, len(lines) - 1) for i in range(len(lines))])
     for line, colour in zip(lines, colours):
         name = line.describe(without=[axis for axis in atlas.axes[:-1] if axis != along]) if along else None
-        panel.plot(speed, line.rows("max_displacement") / line.clearance, color=colour, lw=0.9, label=name)
+        style.curve(panel, speed, line.rows("max_displacement") / line.clearance, color=colour, label=name)
     gaps = style.mark_missing(panel, speed, [line.status() for line in lines])
     panel.axhline(1.0, color=style.GREY, lw=0.8, ls=(0, (4, 3)))
     panel.set_xlabel(style.label(atlas, "speed_ratio"))

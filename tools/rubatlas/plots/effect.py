@@ -27,7 +27,7 @@ def draw(options):
                                    alpha=0.6, rasterized=True)
             curves.append((speed, factor * line.rows("max_displacement")))
             for (x, y), colour in zip(curves[::-1], ((style.INK,), (style.INK, style.GREY))[column]):
-                panels[1, column].plot(x, y, color=colour, lw=0.9, zorder=2 if colour == style.INK else 1)
+                style.curve(panels[1, column], x, y, color=colour, zorder=2 if colour == style.INK else 1)
             handles = style.mark_missing(panels[:, column], speed, line.status())
             panels[1, column].set_xlabel(style.label(source, "speed_ratio"))
             panels[1, column].label_outer()

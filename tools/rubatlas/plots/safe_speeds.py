@@ -67,7 +67,7 @@ def draw_picture(atlas, judgement, options, what):
         for first, last in bands_of(judgement.safe):
             panel.axvspan(border[first], border[last + 1], color=style.GREEN, alpha=0.18, lw=0, zorder=0)
         gaps = style.mark_missing(panel, judgement.speed, judgement.status)
-        panel.plot(judgement.speed, factor * limit.worst(), color=style.BLUE, lw=0.9)
+        style.curve(panel, judgement.speed, factor * limit.worst(), color=style.BLUE)
         panel.axhline(factor * limit.bound, color=style.VERMILION, lw=0.9, ls=(0, (4, 3)))
         panel.set_ylabel(f"{limit.name.replace('_', ' ')} [{unit}]")
         positive = limit.values[np.isfinite(limit.values) & (limit.values > 0)]

@@ -36,14 +36,14 @@ def into(panels, line, found):
     for values, name, colour in ((measured.passing, f"{blades}× line", style.VERMILION),
                                  (measured.broad, "broad band", style.SKY),
                                  (measured.subharmonic, "highest line between the whole orders", style.INK)):
-        heights.plot(speed, np.maximum(factor * values, floor), color=colour, lw=0.9, label=name)
+        style.curve(heights, speed, np.maximum(factor * values, floor), color=colour, label=name)
     heights.set_yscale("log")
     heights.set_ylim(bottom=floor)
     heights.set_ylabel(f"Amplitude [{units}]")
-    share.plot(speed, measured.between_share, color=style.BLUE, lw=0.9)
+    style.curve(share, speed, measured.between_share, color=style.BLUE)
     share.set_ylabel("Share of power\nbetween [-]")
     share.set_ylim(0.0, 1.0)
-    displacement.plot(speed, factor * line.rows("max_displacement"), color=style.BLUE, lw=0.9)
+    style.curve(displacement, speed, factor * line.rows("max_displacement"), color=style.BLUE)
     displacement.axhline(factor * found["limit"], color=style.INK, lw=0.9, ls=(0, (4, 3)))
     displacement.set_ylabel(f"Maximum displacement [{units}]")
     displacement.set_ylim(bottom=0.0)
