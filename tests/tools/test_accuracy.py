@@ -1,9 +1,11 @@
 """Work-precision diagrams and the table of accuracy: what they say is what the study holds."""
+import argparse
 import os
 import pathlib
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -103,6 +105,27 @@ class ToolsAccuracy(unittest.TestCase):
         self.assertEqual(accuracy.sentence(study),
                          "For a map you can trust, use tolerance 1e-07; it costs 4.0 ms a point; "
                                                    "ten times more accurate costs 25 % more.")
+
+    def test_axes_of_less_than_a_decade_have_numbers(self):
+        times = np.ones((4, 1, 1, 1, 1, 4)) * np.array([0.130, 0.102, 0.110, 0.125]).reshape(4, 1, 1, 1, 1, 1)
+        study, made = study_with(cpu_time_min=times), []
+        options = argparse.Namespace(output=self.folder, width=None, dpi=None, reference=None)
+        with unittest.mock.patch.object(style, "save", lambda figure, _: made.append(figure)):
+            accuracy.draw_map(study, options)
+            accuracy.draw_trajectories(study, options)
+        for figure in made:
+            figure.draw_without_rendering()
+            for axes in figure.axes:
+                low, high = axes.get_xlim()
+                ticks = [*zip(axes.get_xticks(), axes.get_xticklabels()),
+                         *zip(axes.get_xticks(minor=True), axes.get_xticklabels(minor=True))]
+                self.assertTrue([place for place, label in ticks if low <= place <= high and label.get_text()])
+            self.assertRegex("".join(label.get_text() for label in figure.axes[0].get_xticklabels(minor=True)), "^1[0-9]+")
+
+    def test_a_time_says_of_which_points_it_is(self):
+        above, below = self.ended.stdout.split("On the points that are predictable to the end, ")
+        self.assertIn("| ms a point of the map |", above)
+        self.assertIn("| ms a predictable point |", below)
 
     def test_a_setting_that_lost_a_point_has_no_cost_to_compare(self):
         study = AccuracyFile(TINY / "accuracy.h5")

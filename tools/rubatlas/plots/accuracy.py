@@ -11,6 +11,7 @@ import argparse
 import pathlib
 
 import numpy as np
+from matplotlib.ticker import LogFormatter, NullLocator
 
 from rubatlas import command_line
 from rubatlas import style
@@ -43,6 +44,12 @@ def draw_lines(axes, study, cost, error, floor, width=1.4, **look):
                       **look)
 
 
+def plain_numbers(axis):
+    """Numbers without powers on a logarithmic axis; where it has not a decade, at the ticks within it too."""
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_formatter(LogFormatter())
+
+
 def as_output(options, name):
     """The options of one picture in the folder."""
     return argparse.Namespace(**{**vars(options), "output": options.output / name})
@@ -67,7 +74,7 @@ def draw_trajectories(study, options):
             axes.set_xscale("log")
             axes.set_yscale("log")
         style.label_row(options, row, f"{np.count_nonzero(points)} points {words}")
-        row[0].xaxis.set_major_formatter("{x:g}")
+        plain_numbers(row[0].xaxis)
     panels[-1][0].set_xlabel("CPU time of a point [ms]")
     panels[-1][1].set_xlabel("Right-hand sides of a point [-]")
     handles = panels[0][0].get_legend_handles_labels()[0]
@@ -98,9 +105,9 @@ def draw_map(study, options):
         axes.set_ylim(0.75 * zero, 1.3)
     ticks = [tick for tick in (1.0, 0.1, 0.01, 0.001) if tick > 1.0 / count]
     panels[0].set_yticks([*ticks, 1.0 / count, zero], [*(f"{100 * tick:g} %" for tick in ticks), "1 point", "none"])
-    panels[0].minorticks_off()
+    panels[0].yaxis.set_minor_locator(NullLocator())
     style.label_row(options, panels, "Share of points with another class,\nregion or maximum displacement")
-    panels[0].xaxis.set_major_formatter("{x:g}")
+    plain_numbers(panels[0].xaxis)
     panels[0].set_xlabel("CPU time of a point [ms]")
     panels[1].set_xlabel("Right-hand sides of a point [-]")
     style.legend(panels[1], options)
