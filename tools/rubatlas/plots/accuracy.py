@@ -157,7 +157,7 @@ def ladder_table(study, maps, reference):
     time, calls = 1e3 * maps.mean("cpu_time_min", everywhere), maps.mean("right_hand_sides", everywhere)
     touchdowns = maps.mean("touchdowns", everywhere)
     head = ["tolerance", "trajectory error / δc", *(["against the reference data"] if reference else []), "map error",
-            "and maxima of unpredictable points", "ms a point", "right-hand sides per touch-down"]
+            "and maxima of unpredictable points", "ms a point of the map", "right-hand sides per touch-down"]
     rows = []
     for setting in maps.of(method):
         tolerance = maps["tolerance"][setting]
@@ -189,7 +189,7 @@ def method_table(study, goal):
         times = f"{time[setting] / time[best[usual]]:.3g} ×" if best[usual] is not None else "-"
         rows.append([f"`{method}`", study.knobs(setting), f"{error[setting]:.1e}", f"{time[setting]:.3g}",
                      f"{calls[setting]:.2g}", times])
-    return markdown(["method", "knobs", "trajectory error / δc", "ms a point", "right-hand sides",
+    return markdown(["method", "knobs", "trajectory error / δc", "ms a predictable point", "right-hand sides",
                      f"time of `{usual}`"], rows)
 
 
@@ -201,9 +201,8 @@ def markdown(head, rows):
 def report(study, maps, options):
     """The text of the README."""
     return "\n\n".join([sentence(maps), ladder_table(study, maps, options.reference),
-                        f"The cheapest setting of each method with an error of at most {options.goal:.0e} of the "
-                         "clearance, "
-                        "or its best one:", method_table(study, options.goal)])
+                        "On the points that are predictable to the end, the cheapest setting of each method with an "
+                        f"error of at most {options.goal:.0e} of the clearance, or its best one:", method_table(study, options.goal)])
 
 
 def put_into_page(path, text):
