@@ -120,7 +120,8 @@ class ToolsAccuracy(unittest.TestCase):
                 ticks = [*zip(axes.get_xticks(), axes.get_xticklabels()),
                          *zip(axes.get_xticks(minor=True), axes.get_xticklabels(minor=True))]
                 self.assertTrue([place for place, label in ticks if low <= place <= high and label.get_text()])
-            self.assertRegex("".join(label.get_text() for label in figure.axes[0].get_xticklabels(minor=True)), "^1[0-9]+")
+            words = [label.get_text() for label in figure.axes[0].get_xticklabels(minor=True)]
+            self.assertRegex("".join(words), "^1[0-9]+")
 
     def test_a_time_says_of_which_points_it_is(self):
         above, below = self.ended.stdout.split("On the points that are predictable to the end, ")

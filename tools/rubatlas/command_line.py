@@ -198,8 +198,8 @@ def write_picture(figure, options):
 # --- how a command ends ---
 
 def end_on_mistakes(work):
-    """Runs `work`; a mistake is a sentence on stderr and exit code 2, a damaged file or a refusal by the system 3, never
-    a traceback."""
+    """Runs `work`; a mistake is a sentence on stderr and exit code 2, a damaged file or a refusal by the system 3,
+    never a traceback."""
     name = pathlib.Path(sys.argv[0]).name
     try:
         work()

@@ -202,7 +202,8 @@ def report(study, maps, options):
     """The text of the README."""
     return "\n\n".join([sentence(maps), ladder_table(study, maps, options.reference),
                         "On the points that are predictable to the end, the cheapest setting of each method with an "
-                        f"error of at most {options.goal:.0e} of the clearance, or its best one:", method_table(study, options.goal)])
+                        f"error of at most {options.goal:.0e} of\nthe clearance, or its best one:",
+                        method_table(study, options.goal)])
 
 
 def put_into_page(path, text):

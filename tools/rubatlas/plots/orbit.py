@@ -34,7 +34,8 @@ class OrbitFile:
         self.scene = with_values(self.scene, self.attributes)
         if self.attributes["status"] != DONE:
             revolution, why = (self.attributes[one] for one in ("failed_revolution", "status_detail_meaning"))
-            raise AtlasError(f"{name or path}: no orbit to draw; the motion ended in revolution {revolution}: {text(why)}")
+            raise AtlasError(f"{name or path}: no orbit to draw; the motion ended in revolution {revolution}: "
+                             f"{text(why)}")
 
     def attribute(self, name):
         return printable(self.attributes.get(name, ""))
