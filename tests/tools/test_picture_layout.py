@@ -160,7 +160,7 @@ class Layout(unittest.TestCase):
                                       output)
                 self.assertEqual(ended.returncode, 2)
                 self.assertIn(f"--width: {width} is no width from 60mm to 600mm, in mm, cm or in", ended.stderr)
-            for width, pixels in (("85mm", 1004), ("17.4 cm", 2055), ("3.5in", 1050)):
+            for width, pixels in (("60mm", 709), ("85mm", 1004), ("17.4 cm", 2055), ("3.5in", 1050)):
                 ended = ended_command("rubatlas-plot", "displacement", TINY / "atlas.h5", "--width", width, "-o",
                                       output)
                 self.assertEqual((ended.returncode, ended.stderr), (0, ""))

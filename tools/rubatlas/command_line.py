@@ -33,19 +33,19 @@ def positive(kind, least=sys.float_info.min, most=sys.float_info.max):
     return read
 
 
-LENGTHS = {"mm": 1.0 / 25.4, "cm": 1.0 / 2.54, "in": 1.0}  # [inch]
+LENGTHS = {"mm": 1.0, "cm": 10.0, "in": 25.4}  # [mm]
 
 
 def width(word):
     """The type of a length with its unit, in inches: a picture is between 60 mm and 600 mm wide."""
     found = re.fullmatch(r"([0-9.]+) ?(mm|cm|in)", word)
     try:
-        inches = float(found[1]) * LENGTHS[found[2]]  # type: ignore[index]
+        millimetres = float(found[1]) * LENGTHS[found[2]]  # type: ignore[index]
     except (TypeError, ValueError):
-        inches = math.nan
-    if not 60.0 <= 25.4 * inches <= 600.0:
+        millimetres = math.nan
+    if not 60.0 <= millimetres <= 600.0:
         raise argparse.ArgumentTypeError(f"{word} is no width from 60mm to 600mm, in mm, cm or in, such as 85mm")
-    return inches
+    return millimetres / 25.4
 
 
 def add_size(arguments):
