@@ -156,7 +156,8 @@ class ToolsAccuracy(unittest.TestCase):
         page = self.folder / "page.md"
         page.write_text("no marks")
         for arguments, code, sentence in (
-                ((TINY / "atlas.h5",), 3, "not a study that `rubatlas accuracy` has written, or damaged"),
+                ((TINY / "atlas.h5",), 2, "a file of the kind atlas, where accuracy is wanted"),
+                ((page,), 3, "not a study that `rubatlas accuracy` has written, or damaged"),
                 ((TINY / "accuracy.h5", "--page", page), 2, "no lines <!-- accuracy: begin -->"),
                 ((TINY / "accuracy.h5", "--reference", page), 2, "not reference data"),
                 ((TINY / "accuracy.h5", "--goal", "nan"), 2, "--goal: nan is no finite number above 0")):

@@ -20,7 +20,7 @@ class AccuracyFile:
 
     def __init__(self, path):
         self.path = str(path)
-        with reading(path, "a study that `rubatlas accuracy` has written") as file:
+        with reading(path, "a study that `rubatlas accuracy` has written", "accuracy") as file:
             self.data = {name: file[name][()] for name in file if file[name].dtype.kind in "fiu"}
             self.words = [text(word) for word in file["method"][...]]
             self.attributes = dict(file.attrs)

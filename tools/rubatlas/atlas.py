@@ -66,7 +66,7 @@ def _joined(atlas: AtlasFile, maps: AtlasFile | None) -> dict[str, xarray.Variab
 
 def read_edges(path: str) -> xarray.Dataset:
     """The group /edges of maps or of a file of `rubatlas edges`, one row per edge."""
-    with reading(path, EDGES) as file:
+    with reading(path, EDGES, "edges") as file:
         group = file["edges"]
         datasets = {name: dataset for name, dataset in group.items()
                     if dataset.ndim == 1 and dataset.dtype.kind in "fiu" and name != "edge"}

@@ -114,14 +114,17 @@ EDGES = "a file of edges that `rubatlas edges` has written"  # as `reading` name
 
 
 @contextlib.contextmanager
-def reading(path, what):
-    """The HDF5 file at `path`, open within the block; one that cannot be read is not `what`."""
+def reading(path, what, *kinds):
+    """The HDF5 file at `path`, of one of these kinds, open within the block; what cannot be read is not `what`."""
     if not os.path.exists(path):
         raise AtlasError(f"{path}: no such file")
     if not os.path.isfile(path):
         raise AtlasError(f"{path}: not a file")
     try:
         with h5py.File(path, "r") as file:
+            kind = text(file.attrs.get("kind", kinds[0]))  # older files do not say it
+            if kind not in kinds:
+                raise AtlasError(f"{path}: a file of the kind {kind}, where {' or '.join(kinds)} is wanted")
             yield file
     except UNREADABLE:
         raise UnreadableFile(f"{path}: not {what}, or damaged") from None
@@ -238,7 +241,7 @@ class AtlasFile:
         self.path = str(path)
         self.chosen = chosen
         with contextlib.ExitStack() as stack:
-            self.file = stack.enter_context(reading(self.path, "a readable HDF5 file of rubatlas"))
+            self.file = stack.enter_context(reading(self.path, "a readable HDF5 file of rubatlas", "atlas", "maps"))
             examination = _Examination(self.path, self.file)
             self.axes = examination.axes()
             self.scene = examination.scene()

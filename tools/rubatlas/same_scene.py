@@ -64,7 +64,7 @@ def require_maps_of(atlas, maps):
 
 def require_edges_of(atlas, path):
     """The edges are of all points that the atlas has finished."""
-    with reading(path, EDGES) as file:
+    with reading(path, EDGES, "edges") as file:
         attributes = dict(file["edges"].attrs)
     require_finished(atlas, path, attributes, f"rubatlas edges {atlas.path}")
 

@@ -24,7 +24,7 @@ class BranchFile:
 
     def __init__(self, path):
         self.path = str(path)
-        with reading(path, "a branch that `rubatlas branch` has written") as file:
+        with reading(path, "a branch that `rubatlas branch` has written", "branch") as file:
             if text(file.attrs.get("kind", "")) != "branch":
                 raise AtlasError(f"{path}: this is no branch; `rubatlas branch` writes one")
             self.attributes = dict(file.attrs)

@@ -25,7 +25,7 @@ class OrbitFile:
     def __init__(self, path, name=None):
         """`name`: what errors call it, the path by default."""
         self.path = path
-        with reading(path, "an orbit that `rubatlas orbit` has written") as file:
+        with reading(path, "an orbit that `rubatlas orbit` has written", "orbit") as file:
             self.data = {name: file[name][...] for name in DATASETS}
             self.units = {name: text(file[name].attrs["units"]) for name in self.data}
             self.attributes = dict(file.attrs)
