@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "collocation/contact_arc.hpp"
-#include "collocation/damped_law.hpp"  // laws that are known are called directly: 0.4 % of the default rotor
 #include "collocation/interval_samples.hpp"
 #include "rotor/skimming.hpp"
 
