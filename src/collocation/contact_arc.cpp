@@ -110,7 +110,7 @@ double ContactArc::error_of(const Interval& interval) const {
 /// The stretch of an interval up to θ, solved for itself; may take the place of the interval.
 bool ContactArc::cut(const Interval& whole, double fraction, Interval& stretch, double closest) {
   if (&stretch != &whole) {
-    static_cast<IntervalStart&>(stretch) = whole;
+    static_cast<IntervalStart&>(stretch) = static_cast<const IntervalStart&>(whole);
     stretch.shaft.start = whole.shaft.start;
     stretch.ring.start = whole.ring.start;
     stretch.tips.resize(whole.tips.size());

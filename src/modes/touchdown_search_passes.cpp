@@ -72,7 +72,7 @@ bool TouchdownSearch::may_have_top(const FlightRow::Gaps& gaps, double spacing) 
 /// Looks at the tops of a blade's gap in a row, before the end of the piece, for a pass that is nearer.
 void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps,
                                 trajectory::Pass& nearest) {
-  constexpr unsigned kBits = 26;  // a maximum is flat, so its value has twice as many
+  constexpr unsigned kBits = 28;  // a maximum is flat, so its value has twice as many
   const double h = row.spacing;
   double gap_before = gaps.before;
   double rate_before = gaps.rate_before;

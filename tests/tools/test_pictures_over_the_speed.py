@@ -89,9 +89,11 @@ class PicturesOverTheSpeed(PicturesCase):
         np.testing.assert_array_equal(np.flatnonzero(line.get_markevery()), [0, 2])
         for tool, of_it in (("displacement", 0), ("bifurcation", 2), ("signature", 2)):
             maps = ["--maps", TINY / "maps.h5"] if tool == "signature" else []
-            for damping, marked in ((0.05, True), (0.2, False)):
-                panel = Figure(tool, TINY / "atlas.h5", "--damping_ratio", damping, *maps).figure.axes[of_it]
-                self.assertEqual(np.any(panel.lines[0].get_markevery()), marked, tool)
+            line = Figure(tool, TINY / "atlas.h5", "--damping_ratio", 0.05, *maps).figure.axes[of_it].lines[0]
+            known = np.isfinite(line.get_ydata())
+            alone = [is_known and not np.any(known[max(i - 1, 0):i]) and not np.any(known[i + 1:i + 2])
+                     for i, is_known in enumerate(known)]
+            np.testing.assert_array_equal(line.get_markevery(), alone, tool)
 
     def test_speeds_that_are_not_evenly_spaced_are_shaded_up_to_halfway(self):
         np.testing.assert_allclose(style.edges_of([0.1, 0.2, 0.4]), [0.05, 0.15, 0.3, 0.5])
