@@ -133,15 +133,17 @@ std::optional<CurveRequest> curve_request(const BranchCommand& command,
   return CurveRequest{*kind, in, varied(axes[in], in, parameters[in], command.within)};
 }
 
-/// The event of a kind that lies nearest to where the branch was begun; null: there is none.
+/// The event of a kind, of an orbit of at least that period, that lies nearest to where the branch was begun;
+/// null: there is none.
 const branch::Event* nearest_event(const std::vector<branch::Event>& events, branch::EventKind kind,
-                                   double value) {
+                                   double value, int least_period = 1) {
   const branch::Event* nearest = nullptr;
   const auto distance = [&](const branch::Event& event) {
     return std::abs(event.orbit.quantities.front() - value);
   };
   for (const branch::Event& event : events) {
-    if (event.kind == kind && (nearest == nullptr || distance(event) < distance(*nearest))) nearest = &event;
+    if (event.kind != kind || event.orbit.period < least_period) continue;
+    if (nearest == nullptr || distance(event) < distance(*nearest)) nearest = &event;
   }
   return nearest;
 }
@@ -221,7 +223,9 @@ int follow_branch(const BranchCommand& command) {
   for (const branch::Event& event : events) say_sentence(sentence_of(event, command.along));
 
   if (command.doubled) {
-    const branch::Event* doubling = nearest_event(events, branch::EventKind::period_doubling, value);
+    // The branch's own end is the doubling of an orbit of half its period, which leads back to it.
+    const branch::Event* doubling =
+        nearest_event(events, branch::EventKind::period_doubling, value, start->period);
     if (doubling == nullptr) throw UsageError("--switch: no period doubling on this branch to switch at");
     auto doubled = continuation.follow_doubled(*doubling, most);
     if (!doubled) throw UsageError("--switch: the branch of doubled period could not be found");
