@@ -98,9 +98,6 @@ class ContactArc {
   [[nodiscard]] double fraction_at(double time) const;
   /// There, as accurate as at the end of an interval: solves the stretch up to there.
   [[nodiscard]] Point solved_at(double time);
-  /// Where a blade in contact is bent most between two times of the interval; none where its p is not larger
-  /// than `known`.
-  [[nodiscard]] std::optional<Point> most_bent(int blade, double from, double to, double known);
   /// Where F, or else the strain at the root, as kept at the nodes, is largest between two times of the
   /// interval; none where that is not larger than `known`.
   [[nodiscard]] std::optional<Point> most_loaded(int blade, bool of_force, double from, double to,
@@ -217,8 +214,6 @@ class ContactArc {
   };
   [[nodiscard]] Stretch stretch(double from, double to) const;
   [[nodiscard]] Point solved_in(const Stretch& stretch, double fraction);
-  [[nodiscard]] double nearer_to_top(int blade, const Point& there, const AtPlaces& values,
-                                     double fraction) const;
   void start_next(Interval& next) const;
   /// `closest`: what sweeps may leave, if less than usual, where a guard is located [m per unit τ].
   bool solve(Interval& interval, bool warm, double closest = std::numeric_limits<double>::infinity());

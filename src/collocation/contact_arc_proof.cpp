@@ -39,7 +39,7 @@ bool ContactArc::stays_valid(const Ending& ending) const {
 bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) {
   const double bound = solver_.largest_gap(machine(), interval, numbers(blade), offset_of(blade));
   gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
-  if (starts_inside(blade)) return largest_coefficient(course_of_tip(interval, blade).rate) < allowed;
+  if (starts_inside(blade)) return solver_.upper_bound(course_of_tip(interval, blade).rate) < allowed;
   // A tip that has just lifted off may stand at the ring for a while.
   return bound < allowed || bound < rotor_->gap_rounding(law_->geometry(blade));
 }

@@ -9,7 +9,7 @@
 namespace rubatlas::collocation {
 namespace {
 
-/// Between the nodes p and the loads err by a few times as much as velocities do, each against its own size.
+/// Between the nodes loads err by a few times as much as velocities do, each against its own size.
 constexpr double kSafety = 100.0;
 
 }  // namespace
@@ -66,50 +66,15 @@ ContactArc::Point ContactArc::solved_in(const Stretch& stretch, double fraction)
                                     : solved_at_fraction(fraction);
 }
 
-std::optional<ContactArc::Point> ContactArc::most_bent(int blade, double from, double to, double known) {
-  const double bound = 1.0 + kSafety * allowed_ / rotor_->length_scale;
-  const bool leads = blade == leader();
-  if (leads && bound * bounds_.argument <= known) return std::nullopt;  // mostly
-  const double least = known / bound;
-  const Stretch within = stretch(from, to);
-  const AtPlaces values = leads ? at_places(made().start_argument, made().argument)
-                                : at_places(tip(blade).start_square, tip(blade).square);
-  const auto most = largest_of(values, within.first, within.last, leads ? least : least * least);
-  const double argument = leads ? most.value : std::sqrt(std::max(0.0, most.value));
-  if (bound * argument <= known) return std::nullopt;
-  const Point there = solved_in(within, most.argument);
-  const double nearer = nearer_to_top(blade, there, values, most.argument);
-  if (nearer == most.argument || !(nearer > within.first && nearer < within.last)) return there;
-  const Point top = solved_in(within, nearer);
-  return bending_of(blade, top).argument > bending_of(blade, there).argument ? top : there;
-}
-
-/// θ of the place where a blade is bent most, nearer than one that the interval's polynomial has, if this one
-/// misses a billionth of the largest value; else the same. `values`: of p, or of p² of a further blade.
-double ContactArc::nearer_to_top(int blade, const Point& there, const AtPlaces& values,
-                                 double fraction) const {
-  constexpr double kApart = 0.01;   // of the interval
-  constexpr double kMissed = 1e-9;  // of the largest value
-  if (!(fraction > kApart && fraction < 1.0 - kApart)) return fraction;
-  const auto value = [&](double at) { return sum_of_products(basis_at(at), values); };
-  const double curvature =
-      (value(fraction - kApart) - 2.0 * value(fraction) + value(fraction + kApart)) / (kApart * kApart);
-  const double argument = bending_of(blade, there).argument;
-  const Law::Tangent tangent = law_->tangent(touch_of(blade, there), tip_place(blade, there), {});
-  double slope = tangent.argument / tangent.time * direction_at(fraction).time;
-  if (blade != leader()) slope *= 2.0 * argument;
-  const double missed = -0.5 * slope * slope / curvature;
-  return curvature < 0.0 && missed > kMissed * value(fraction) ? fraction - slope / curvature : fraction;
-}
-
 std::optional<ContactArc::Point> ContactArc::most_loaded(int blade, bool of_force, double from, double to,
                                                          double known) {
-  const Stretch within = stretch(from, to);
   const TipInTime& in_time = tip(blade);
   const AtPlaces values = of_force ? at_places(in_time.start_force, in_time.normal_force)
                                    : at_places(in_time.start_strain, in_time.root_strain);
   const double error =
       kSafety * allowed_ / rotor_->length_scale * *std::max_element(values.begin(), values.end());
+  if (solver_.upper_bound(values) + error <= known) return std::nullopt;  // mostly
+  const Stretch within = stretch(from, to);
   const auto most = largest_of(values, within.first, within.last, known - error);
   if (most.value + error <= known) return std::nullopt;
   return solved_in(within, most.argument);

@@ -114,11 +114,11 @@ struct TipInTime : TipStart {
                           ///< of a rigid blade; λ, and `kShareBeyond`, of a tip that skims
   AtNodes slip_velocity;  ///< v of the tip (MODEL 4.4) [m per unit τ]
   AtNodes normal_force;   ///< F [N]
+  AtNodes root_strain;    ///< bending strain at the root [-]
+  AtNodes shortening;     ///< δ/L
   // Of a blade under an inclined load (`inclined_load.hpp`).
-  AtNodes root_strain;  ///< bending strain at the root [-]
-  AtNodes lean;         ///< l: a first guess, then the solution
-  AtNodes shortening;   ///< δ/L
-  AtNodes chart_left;   ///< `InclinedLoad::chart_left`
+  AtNodes lean;        ///< l: a first guess, then the solution
+  AtNodes chart_left;  ///< `InclinedLoad::chart_left`
   /// What is left of the guard that ends the mode of a blade. Of a tip at rest `InclinedLoad::cone` less c²;
   /// of a rigid one (μs² − c²) F²/(m ωn²)² [m² per unit τ⁴]. Of a blade that stands straight the load that
   /// would bend it, that of Euler of a column, less F [N]. Of a tip that skims 1 − λ.
@@ -214,7 +214,6 @@ struct BranchPoints {
 /// nodes have it: none of them leaves the range of its Bernstein coefficients.
 struct Bounds {
   double gap_measure;   ///< least g/Δ of the leading blade; the start is left out, where it may be 0 [m]
-  double argument;      ///< largest p of the leading blade
   double displacement;  ///< largest |z| [m]
   double distance;      ///< largest |c|, of the shaft from the ring's centre [m]
   struct OfTip {
@@ -252,6 +251,8 @@ struct IntervalSolver {
   bool (*inclined_branch)(const TipStart& tip, double ring_radius, const contact::Pose& pose,
                           double angular_speed, BranchPoints& points);
   void (*bounds)(const Machine& machine, const Interval& interval, Bounds& bounds);
+  /// Bound of the polynomial through values at the start and the nodes.
+  double (*upper_bound)(const AtPlaces& values);
   /// Bound of the gap [m²] of another blade, straight, whose direction is that of the leading blade turned
   /// by the angle whose cosine and sine are given. The start is left out, where it may be 0.
   double (*largest_gap)(const Machine& machine, const Interval& interval, const Blade& blade,

@@ -16,14 +16,12 @@ namespace {
 template <std::size_t kWidth>
 class IntervalBounds {
  public:
-  IntervalBounds(const Machine& machine, const Interval& interval)
-      : machine_(machine), interval_(interval), nodes_(kNodeTables) {}
+  IntervalBounds(const Machine& machine, const Interval& interval) : machine_(machine), interval_(interval) {}
 
   void bounds(Bounds& result) const {
     const Interval& in = interval_;
     const TipInTime& leader = in.leader();
     result.gap_measure = later(leader.start_gap_measure, Number(leader.gap_measure)).least();
-    result.argument = largest(in.start_argument, Number(in.argument));
     const double across = largest_magnitude(in.shaft.start[0], Number(in.shaft.x));
     result.displacement = root_of_squares(across, largest_magnitude(in.shaft.start[1], Number(in.shaft.y)));
     const Place<double> start = start_from_ring();
@@ -56,7 +54,7 @@ class IntervalBounds {
                             least(tip.start_chart_left, Number(tip.chart_left)) > 0.0;
       result.tips[k].stays = result.tips[k].stays && in_chart && least_firmness(tip) > 0.0;
     }
-    const double slope = sum_of_products(nodes_.value_at_start, in.time_slope);
+    const double slope = sum_of_products(kNodeTables.value_at_start, in.time_slope);
     result.time_slope = least_before_end(later(slope, Number(in.time_slope)));
     if (in.start_argument > 0.0) result.time_slope = std::min(result.time_slope, slope);
   }
@@ -72,6 +70,12 @@ class IntervalBounds {
     const Interval& in = interval_;
     const double start = gap_of(start_from_ring(), in.blade[0], in.blade[1]);
     return later(start, gap_of(from_ring(), Number(in.blade_x), Number(in.blade_y))).largest();
+  }
+
+  static double largest(const AtPlaces& values) {
+    AtNodes nodes;
+    std::copy(values.begin() + 1, values.end(), nodes.value.begin());
+    return largest(values[0], Number(nodes));
   }
 
  private:
@@ -97,8 +101,8 @@ class IntervalBounds {
     return {Number(shaft.x) - Number(ring.x), Number(shaft.y) - Number(ring.y) + misalignment};
   }
   /// Coefficients 1 to 8; coefficient 0 is the value at the start.
-  Number later(double start, const Number& at_nodes) const {
-    return Number::combined(nodes_.bernstein, at_nodes) + Number(nodes_.bernstein_of_start) * start;
+  static Number later(double start, const Number& at_nodes) {
+    return Number::combined(kNodeTables.bernstein, at_nodes) + Number(kNodeTables.bernstein_of_start) * start;
   }
   /// Of coefficients 1 to 7.
   static double least_before_end(const Number& coefficients) {
@@ -121,13 +125,13 @@ class IntervalBounds {
     return !tip.lifts_off && later(tip.start_square, Number(tip.square)).least() > 0.0 && left > 0.0;
   }
   double least_firmness(const TipInTime& tip) const {
-    return least(sum_of_products(nodes_.value_at_start, tip.firmness), Number(tip.firmness));
+    return least(sum_of_products(kNodeTables.value_at_start, tip.firmness), Number(tip.firmness));
   }
   /// Positive where it keeps the sign that it has at the start.
   double least_magnitude(double start, const Number& at_nodes) const {
     return least(std::abs(start), at_nodes * std::copysign(1.0, start));
   }
-  double largest(double start, const Number& at_nodes) const {
+  static double largest(double start, const Number& at_nodes) {
     return std::max(start, later(start, at_nodes).largest());
   }
   double largest_magnitude(double start, const Number& at_nodes) const {
@@ -136,12 +140,15 @@ class IntervalBounds {
 
   const Machine& machine_;
   const Interval& interval_;
-  const NodeTables& nodes_;
 };
 
 template <std::size_t kWidth>
 void bounds_of(const Machine& machine, const Interval& interval, Bounds& bounds) {
   IntervalBounds<kWidth>(machine, interval).bounds(bounds);
+}
+template <std::size_t kWidth>
+double upper_bound_of(const AtPlaces& values) {
+  return IntervalBounds<kWidth>::largest(values);
 }
 template <std::size_t kWidth>
 double largest_gap_of(const Machine& machine, const Interval& interval, const Blade& blade,

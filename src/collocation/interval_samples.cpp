@@ -112,15 +112,4 @@ std::optional<integrate::Sample> top_of(const TipCourse& tip) {
   return std::nullopt;
 }
 
-double largest_coefficient(const AtPlaces& values) {
-  const NodeTables& tables = kNodeTables;
-  double largest = values[0];
-  for (std::size_t k = 0; k < kNodes; ++k) {
-    double coefficient = tables.bernstein_of_start[k] * values[0];
-    for (std::size_t j = 0; j < kNodes; ++j) coefficient += tables.bernstein[j][k] * values[j + 1];
-    largest = std::max(largest, coefficient);
-  }
-  return largest;
-}
-
 }  // namespace rubatlas::collocation

@@ -30,9 +30,6 @@ struct TipCourse {
 };
 TipCourse course_of_tip(const Machine& machine, const Interval& interval, const Blade& blade,
                         const std::array<double, 2>& offset);
-/// Bound of the polynomial through values at the places: none is above the largest of Bernstein's
-/// coefficients.
-double largest_coefficient(const AtPlaces& values);
 
 /// θ and g [m²] where it is farthest out, of a tip that comes nearer to the ring before and moves away after.
 std::optional<integrate::Sample> top_of(const TipCourse& tip);

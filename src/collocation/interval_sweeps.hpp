@@ -318,7 +318,6 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     if (is_column) (gap * (0.5 / machine_.ring_radius)).store(stored.gap_measure);
     if (is_straight(tip)) {
       tip.load = compress(tip, er) * tip.blade->load_unit;
-      Number(0.0).store(stored.root_strain);
       (tip.load * -1.0 + tip.blade->buckling_load).store(stored.cone_left);
       stored.square = stored.gap_measure;
     } else if (skims(tip)) {
@@ -329,7 +328,13 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     }
     slip_velocity_of(tip, er).store(stored.slip_velocity);
     (skims(tip) ? tip.load * share_ : tip.load).store(stored.normal_force);
-    (tip.bent.along * (1.0 / tip.blade->length)).store(stored.shortening);
+    const Blade& blade = *tip.blade;
+    const Number shortening = tip.bent.along * (1.0 / blade.length);
+    shortening.store(stored.shortening);
+    // The moment F Δ + μ F (L − δ).
+    const Number lever =
+        tip.bent.across * (tip.slip / blade.length) + (Number(1.0) - shortening) * blade.friction;
+    (tip.load * lever * (blade.strain_unit / blade.load_unit)).store(stored.root_strain);
     if (is_damped(*tip.blade)) tip.yielding.store(stored.yielding);
   }
   void store() {

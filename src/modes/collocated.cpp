@@ -58,7 +58,6 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
       const bool beyond = end > until;
       piece_end_ = beyond ? until : end;
       piece_stretch_.reset();
-      most_bent_.assign(contacts_.size(), std::nullopt);
       if (piece_end_ > piece_begin_) listener.piece(*this);
       if (setup_.meter->ended()) return {Guard::failed, -1, setup_.meter->why()};
       piece_begin_ = piece_end_;
@@ -257,36 +256,13 @@ void Collocated::path(double share, trajectory::PathPoint& point,
   }
 }
 
-/// Under an inclined load neither need follow the bending.
-Collocated::LargestLoad Collocated::largest_kept(trajectory::Load load, std::size_t contact, double known) {
+Collocated::LargestLoad Collocated::largest(trajectory::Load load, std::size_t contact, double known) {
+  if (contacts_[contact].skims) return MotionPiece::largest(load, contact, known);
   const bool of_force = load == trajectory::Load::normal_force;
   const auto there = arc_.most_loaded(blade(contact), of_force, piece_begin_, piece_end_, known);
   if (!there) return {piece_begin_, known};
   const contact::TipForce force_there = force(contact, *there);
   return {there->time, of_force ? force_there.normal : force_there.root_strain};
-}
-
-/// Force and strain grow with the bending under an axial load, so that a blade that is bent less than where
-/// its load was known need not be looked at.
-Collocated::LargestLoad Collocated::largest(trajectory::Load load, std::size_t contact, double known) {
-  if (contacts_[contact].skims) return MotionPiece::largest(load, contact, known);
-  if (law_->leans() || contacts_[contact].straight || (law_->is_rigid() && blade(contact) == arc_.leader()))
-    return largest_kept(load, contact, known);
-  const auto value = [load](const MostBent& at) {
-    return load == trajectory::Load::normal_force ? at.force.normal : at.force.root_strain;
-  };
-  const int number = blade(contact);
-  std::optional<MostBent>& most = most_bent_[contact];
-  if (!most) {
-    std::optional<MostBent>& of_blade = most_bent_of_blades_[static_cast<std::size_t>(number)];
-    const bool is_known = of_blade && value(*of_blade) <= known;
-    const double known_argument = is_known ? of_blade->argument : 0.0;
-    const auto there = arc_.most_bent(number, piece_begin_, piece_end_, known_argument);
-    if (!there) return {piece_begin_, known};
-    most = {there->time, arc_.bending_of(number, *there).argument, force(contact, *there)};
-    if (!of_blade || most->argument > of_blade->argument) of_blade = most;
-  }
-  return {most->time, value(*most)};
 }
 
 }  // namespace rubatlas::modes

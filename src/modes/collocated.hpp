@@ -25,8 +25,7 @@ class Collocated final : public Phase, public ContactPhases {
   explicit Collocated(const ContactSetup& setup)
       : setup_(setup),
         law_(setup.law),
-        arc_(*setup.machine, *setup.law, setup.limits.tolerance, setup.limits.max_shortening),
-        most_bent_of_blades_(static_cast<std::size_t>(setup.machine->blades.count())) {}
+        arc_(*setup.machine, *setup.law, setup.limits.tolerance, setup.limits.max_shortening) {}
 
   ending::StatusDetail start(double time, const rotor::ShaftAndRing& state,
                              const std::vector<OpenContact>& contacts) override;
@@ -78,7 +77,6 @@ class Collocated final : public Phase, public ContactPhases {
   [[nodiscard]] contact::TipForce force(std::size_t contact, const Point& point) const {
     return arc_.force(arc_.touch_of(blade(contact), point), point);
   }
-  [[nodiscard]] LargestLoad largest_kept(trajectory::Load load, std::size_t contact, double known);
   [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, const Point& point) const {
     return contact_force(contact, point, arc_.direction(blade(contact), point.time));
   }
@@ -101,14 +99,6 @@ class Collocated final : public Phase, public ContactPhases {
     double from, to;
   };
   std::optional<Stretch> piece_stretch_;
-  /// Where a blade is bent most, and its force there.
-  struct MostBent {
-    double time;      ///< τ of the revolution
-    double argument;  ///< p
-    contact::TipForce force;
-  };
-  std::vector<std::optional<MostBent>> most_bent_;            ///< in the piece, once they are asked for
-  std::vector<std::optional<MostBent>> most_bent_of_blades_;  ///< in the pieces that have been asked for it
 };
 
 }  // namespace rubatlas::modes

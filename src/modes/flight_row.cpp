@@ -1,7 +1,6 @@
 #include "modes/flight_row.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -12,31 +11,6 @@
 
 namespace rubatlas::modes {
 namespace {
-
-/// An angle [rad] below which the first terms that `turned_by_small` leaves out, angle^15/15! and
-/// angle^16/16!, are less than 3e-17.
-constexpr double kFarTurnedInRow = 0.5;
-constexpr std::array kSine{-1.0 / 6.0,     1.0 / 120.0,       -1.0 / 5040.0,
-                           1.0 / 362880.0, -1.0 / 39916800.0, 1.0 / 6227020800.0};
-constexpr std::array kCosine{
-    -0.5, 1.0 / 24.0, -1.0 / 720.0, 1.0 / 40320.0, -1.0 / 3628800.0, 1.0 / 479001600.0, -1.0 / 87178291200.0};
-
-/// The polynomial with these coefficients, the first of which is its value at zero.
-template <std::size_t kCount>
-RowValues polynomial(const std::array<double, kCount>& coefficients, const RowValues& argument) {
-  RowValues sum = RowValues::Constant(coefficients.back());
-  for (std::size_t k = kCount - 1; k-- > 0;) sum = coefficients[k] + argument * sum;
-  return sum;
-}
-
-/// Directions turned by small angles, by the series of sine and cosine.
-DirectionsOfRow turned_by_small(const DirectionsOfRow& from, const RowValues& angle) {
-  const RowValues square = angle * angle;
-  const RowValues of_sine = angle + angle * square * polynomial(kSine, square);
-  const RowValues of_cosine_less_one = square * polynomial(kCosine, square);
-  const DirectionsOfRow change = from.turned(DirectionsOfRow{of_cosine_less_one, of_sine});
-  return {from.cosine + change.cosine, from.sine + change.sine};
-}
 
 DirectionsOfRow of_angles(const RowValues& angles) {
   return {angles.unaryExpr([](double angle) { return std::cos(angle); }),
@@ -111,9 +85,7 @@ void TurnRow::start(double time) {
   const double amplitude = blades_->ripple_amplitude();
   speed_at_start_ = blades_->mean_speed() * (1.0 + amplitude * start.cosine);
   speed_ = blades_->mean_speed() * (1.0 + amplitude * cosine);
-  const RowValues ahead = blades_->ripple_depth() * (sine - start.sine);
-  turned_ = ahead.abs().maxCoeff() < kFarTurnedInRow ? turned_by_small(mean_, ahead)
-                                                     : mean_.turned(of_angles(ahead));
+  turned_ = mean_.turned(of_angles(blades_->ripple_depth() * (sine - start.sine)));
 }
 
 FlightRow::FlightRow(const rotor::Machine& machine, double spacing)

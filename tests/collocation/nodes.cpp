@@ -111,21 +111,21 @@ TEST(BoundsOfAnInterval, HoldEveryQuantityBetweenTheNodes) {
   const auto x = [](double t) { return std::sin(3.0 * t); };
   const auto y = [](double t) { return t * t - 0.7 * t; };
   const auto slip_velocity = [](double t) { return -2.0 + std::cos(4.0 * t); };
-  const auto argument = [](double t) { return 1.0 + t * (0.9 - t); };
+  const auto shortening = [](double t) { return 1.0 + t * (0.9 - t); };
   fill(interval.shaft.start[0], interval.shaft.x, x);
   fill(interval.shaft.start[1], interval.shaft.y, y);
   fill(tip.start_slip_velocity, tip.slip_velocity, slip_velocity);
-  fill(interval.start_argument, interval.argument, argument);
+  fill(tip.start_shortening, tip.shortening, shortening);
   const Bounds bounds = bounds_of(interval, kMisalignment);
   constexpr double kRounding = 1e-5;  // of the polynomials through the values of these functions
   for (double t = 0.0; t <= 1.0; t += 0.001) {
     EXPECT_LE(std::hypot(x(t), y(t)), bounds.displacement + kRounding);
     EXPECT_LE(std::hypot(x(t), y(t) + kMisalignment), bounds.distance + kRounding);
     EXPECT_GE(-slip_velocity(t), bounds.tips[0].slip_velocity - kRounding);
-    EXPECT_LE(argument(t), bounds.argument + kRounding);
+    EXPECT_LE(shortening(t), bounds.tips[0].shortening + kRounding);
   }
   // No looser than by a third.
-  EXPECT_LT(bounds.argument, 1.21 * 1.33);
+  EXPECT_LT(bounds.tips[0].shortening, 1.21 * 1.33);
   EXPECT_GT(bounds.tips[0].slip_velocity, 0.0);
 }
 

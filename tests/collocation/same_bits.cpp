@@ -57,6 +57,8 @@ void expect_same_bits_of_interval(const collocation::Machine& machine, const col
   solver_in_pairs().bounds(machine, in_pairs, of_pairs);
   interval_solver().bounds(machine, here, of_here);
   EXPECT_EQ(of_pairs, of_here);
+  const AtPlaces arguments = at_places(here.start_argument, here.argument);
+  EXPECT_EQ(solver_in_pairs().upper_bound(arguments), interval_solver().upper_bound(arguments));
   const collocation::Blade& blade = *first.leader().blade;
   const std::array<double, 2> other{-0.5, 0.866};
   EXPECT_EQ(solver_in_pairs().largest_gap(machine, in_pairs, blade, other),
