@@ -214,6 +214,7 @@ class ContactArc {
   };
   [[nodiscard]] Stretch stretch(double from, double to) const;
   [[nodiscard]] Point solved_in(const Stretch& stretch, double fraction);
+  [[nodiscard]] double nearer_to_top(int blade, const Point& there, double fraction) const;
   void start_next(Interval& next) const;
   /// `closest`: what sweeps may leave, if less than usual, where a guard is located [m per unit τ].
   bool solve(Interval& interval, bool warm, double closest = std::numeric_limits<double>::infinity());

@@ -65,16 +65,14 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
       pending_ = false;
       if (arc_.ending().guard != collocation::ContactArc::Guard::none) return end_of_arc();
     }
-    const std::int64_t price =
-        WorkPrice::kAttempt + static_cast<std::int64_t>(contacts_.size()) * WorkPrice::kForce;
-    if (!setup_.meter->spend(Work::contact, price)) return {Guard::failed, -1, setup_.meter->why()};
+    if (!setup_.meter->spend(Work::contact, price())) return {Guard::failed, -1, setup_.meter->why()};
     const std::uint64_t rejected = arc_.rejected();
     const auto outcome = arc_.make();
     // The price of an interval has a few that are too long in it.
     constexpr std::uint64_t kFew = 8;
     const std::uint64_t too_long = arc_.rejected() - rejected;
     if (too_long > kFew)
-      setup_.meter->spend(Work::contact, price * static_cast<std::int64_t>(too_long - kFew));
+      setup_.meter->spend(Work::contact, price() * static_cast<std::int64_t>(too_long - kFew));
     if (outcome == collocation::ContactArc::Outcome::gives_up)
       return {Guard::failed, -1, ending::StatusDetail::step_too_short};
     pending_ = true;
@@ -146,6 +144,7 @@ double Collocated::largest_displacement(double known, double /*speed_ratio*/) {
 }
 
 trajectory::ContactForce Collocated::contact_force(std::size_t contact, double time) {
+  pay_for_reading();
   return contact_force(contact, arc_.solved_at(time));
 }
 trajectory::ContactForce Collocated::contact_force(std::size_t contact, const Point& point,
@@ -161,6 +160,7 @@ trajectory::Tip Collocated::tip(int blade, const Point& point) const {
   return tip_of(law_->geometry(blade), arc_.pose(blade, point), angular_speed(point.time));
 }
 trajectory::Tip Collocated::tip(int blade, double time) {
+  pay_for_reading();
   return tip(blade, arc_.solved_at(time));
 }
 
@@ -197,6 +197,7 @@ trajectory::Tip Collocated::deepest(std::size_t contact, double enough) {
 
 bool Collocated::solved_places(bool with_forces, const trajectory::VisitPlace& visit) {
   if (!is_whole() || !arc_.ends_at_last_node()) return false;
+  pay_for_reading();
   for (std::size_t node = 0; node < collocation::kNodes; ++node) {
     const Point there = arc_.at_node(node);
     const trajectory::State state = rotor::as_array(rotor::shaft(there.bodies));
@@ -226,6 +227,7 @@ bool Collocated::solved_rubs(const trajectory::VisitRub& visit) {
 
 void Collocated::path(double share, trajectory::PathPoint& point,
                       std::vector<trajectory::ContactForce>* forces) {
+  pay_for_reading();
   if (!piece_stretch_) piece_stretch_ = {arc_.fraction_at(piece_begin_), arc_.fraction_at(piece_end_)};
   const auto [from, to] = *piece_stretch_;
   const double length = to - from;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -13,6 +14,7 @@
 #include "collocation/law.hpp"
 #include "modes/motion_listener.hpp"
 #include "modes/phase.hpp"
+#include "modes/work_meter.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/machine.hpp"
 #include "trajectory/motion_piece.hpp"
@@ -41,6 +43,7 @@ class Collocated final : public Phase, public ContactPhases {
   [[nodiscard]] double begin() const override { return piece_begin_; }
   [[nodiscard]] double end() const override { return piece_end_; }
   [[nodiscard]] trajectory::State state(double time) override {
+    pay_for_reading();
     return rotor::as_array(rotor::shaft(arc_.solved_at(time).bodies));
   }
   void places(const trajectory::SampleTimes& times, int first, std::span<double> x,
@@ -68,6 +71,13 @@ class Collocated final : public Phase, public ContactPhases {
 
  private:
   using Point = collocation::ContactArc::Point;
+  /// Price of an interval.
+  [[nodiscard]] std::int64_t price() const {
+    return WorkPrice::kAttempt + static_cast<std::int64_t>(contacts_.size()) * WorkPrice::kForce;
+  }
+  /// Pays for what a listener asks: a place in an interval with its tangents, or all its nodes, take half as
+  /// long as the interval.
+  void pay_for_reading() { setup_.meter->spend(Work::contact, price() / 2); }
   [[nodiscard]] ModeEnd end_of_arc() const;
   [[nodiscard]] trajectory::Tip tip(int blade, const Point& point) const;
   /// The piece is an interval, and not a part of one.

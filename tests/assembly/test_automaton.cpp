@@ -101,9 +101,9 @@ TEST(Automaton, HasEveryEventOfRandomMotions) {
   // Of any kind, and of those whose tips may stick, which are rare.
   constexpr int kOfAnyKind = 80;
   constexpr int kThatStick = 25;
-  // A motion asks after each of its few revolutions, and after each 2 ms of work: the few that take a second
-  // each have the events of the others, more often.
-  constexpr int kMostQuestions = 50;
+  // A motion asks after each of its few revolutions, and after each 2 ms of work, that of its observables with
+  // it: the few that take a second each have the events of the others, more often.
+  constexpr int kMostQuestions = 100;
   int followed = 0;
   int sticking = 0;
   for (std::uint64_t index = 0; followed < kOfAnyKind || sticking < kThatStick; ++index) {

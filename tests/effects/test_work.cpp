@@ -142,6 +142,17 @@ TEST(WorkOfAPoint, ALightRingThatBouncesIsFollowedAtEveryTolerance) {
   }
 }
 
+TEST(WorkOfAPoint, WhatObservablesAskOfContactsIsCounted) {
+  nlohmann::json scene = {{"grid", {{"speed_ratio", 0.55}}},
+                          {"protocol", {{"transient_revolutions", 0}, {"sampled_revolutions", 10}}},
+                          {"observables", {"poincare"}}};
+  const auto motion = run(parsed(scene));
+  scene["observables"] = {"poincare", "lyapunov"};
+  const auto with_tangents = run(parsed(scene));
+  EXPECT_EQ(motion.work.steps, with_tangents.work.steps);
+  EXPECT_GT(with_tangents.work.price, 3 * motion.work.price);
+}
+
 TEST(WorkOfAPoint, ALongRevolutionIsGivenUpWhenAsked) {
   // 6e10 steps in a revolution.
   const settings::Scene scene =
