@@ -25,8 +25,9 @@ using settings::Method;
 /// tolerances a sum may be off, whose places are those of steps.
 constexpr double kCloseness = 1e-6;
 constexpr double kTolerances = 100.0;
-/// Of a motion [ns of counted work], times its blades: dense samples take a hundred times as long.
-constexpr std::int64_t kDearest = 30'000'000;
+/// Of a motion with its observables [ns of counted work], times its blades: dense samples take fifty times as
+/// long.
+constexpr std::int64_t kDearest = 60'000'000;
 /// A motion asks whether to go on after each revolution, and after each 2 ms of work: one that has asked so
 /// often, beside its few revolutions, is dearer for certain.
 constexpr std::int64_t kMostQuestions = 2 * kDearest / 2'000'000;
