@@ -3,15 +3,18 @@
 Colours of lines are those of Okabe and Ito, which people with any of the common colour deficiencies tell apart; maps
 use `viridis`, which grows evenly in lightness, and classes of motion the palette of `palette.py`.
 """
+import bisect
 import math
 import textwrap
 
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib import cbook
+from matplotlib.font_manager import FontProperties
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
-from matplotlib.textpath import TextPath
+from matplotlib.textpath import text_to_path
 from matplotlib.transforms import ScaledTranslation
 
 from rubatlas import command_line, query
@@ -137,20 +140,30 @@ def title(made, atlas, what):
 def _wrap(text, excess):
     """Breaks the lines of a text until `excess()` [pixel] is none; returns by how many lines it has grown."""
     words = text.get_text()
-    letters = max(map(len, words.split("\n")))
-    while excess() > 0.0 and letters > 10:
-        letters -= 1
-        text.set_text("\n".join(textwrap.fill(line, letters) for line in words.split("\n")))
+    lines = words.split("\n")
+
+    def too_long(letters):
+        text.set_text("\n".join(textwrap.fill(line, letters) for line in lines))
+        return excess() > 0.0
+
+    if excess() > 0.0:
+        least = 10
+        shorter = bisect.bisect_left(range(least, max(map(len, lines))), True, key=too_long)
+        too_long(least + max(0, shorter - 1))
     return text.get_text().count("\n") - words.count("\n")
 
 
-def wrap_words(made):
-    """Breaks the lines of titles and labels that would be cut; the picture becomes taller by the lines of titles. What
-    has been measured stays in its place where no line is broken: to place it again takes as long as to draw it."""
-    # Places what is measured, as drawing it would.
+def _place(made):
+    """Places what is measured, as drawing it would."""
     made.get_layout_engine().execute(made)
     for axes in made.axes:
         axes.apply_aspect()
+
+
+def wrap_words(made):
+    """Breaks the lines of titles and labels that would be cut; the picture becomes taller by the lines of titles.
+    Everything then stays in its place: to find it again takes longer than to draw it."""
+    _place(made)
     titles = [made._suptitle, made._supxlabel, *(axes._left_title for axes in made.axes)]
     broken = 0
     for text in [text for text in titles if text is not None]:
@@ -161,15 +174,19 @@ def wrap_words(made):
         room = axes.bbox.height + axes.yaxis.label.get_fontsize()  # it may reach half into the space between panels
         broken += _wrap(axes.yaxis.label,
                         lambda axes=axes, room=room: axes.yaxis.label.get_window_extent().height - room)
-    if not broken:
-        made.set_layout_engine("none")
+    if broken:
+        _place(made)
+    with plt.rc_context({"figure.constrained_layout.use": False}):
+        made.set_layout_engine(None)  # with the engine "none" a figure is drawn twice to be saved
 
 
 def columns_of(panel, handles):
     """Columns and lines of a legend that is as wide as the panel's part of the picture."""
     size = plt.rcParams["legend.fontsize"]
     texts = [line for handle in handles for line in handle.get_label().split("\n")]
-    widest = max(TextPath((0, 0), text, size=size).get_extents().width for text in texts)
+    letters = FontProperties(size=size)
+    widest = max(text_to_path.get_text_width_height_descent(text, letters, cbook.is_math_text(text))[0]
+                 for text in texts)
     place = panel.get_subplotspec()
     shares = np.array(place.get_gridspec().get_width_ratios(), dtype=float)
     width = 72.0 * panel.figure.get_figwidth() * shares[place.colspan.start:place.colspan.stop].sum() / shares.sum()
