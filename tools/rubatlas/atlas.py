@@ -412,8 +412,8 @@ class Atlas:
     @property
     def own_scene(self) -> dict[str, Any]:
         """The scene as it was written, without what it left to defaults."""
-        with AtlasFile(self.path) as atlas:
-            written: dict[str, Any] = json.loads(text(atlas.file["scene"][()]))
+        with reading(self.path, "an atlas", "atlas") as file:
+            written: dict[str, Any] = json.loads(text(file["scene"][()]))
         return written
 
     def orbit(self, speed_ratio: float, path: Path | None = None, method: str | None = None, **at: Any) -> OrbitFile:

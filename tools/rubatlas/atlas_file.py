@@ -162,9 +162,10 @@ class _Examination:
 
     def scale(self, dataset, dimension):
         """Name of the scale that an axis of a dataset runs along, of the axis' length."""
-        scales = dataset.dims[dimension]
+        scales: list[h5py.h5d.DatasetID] = []
         try:
-            names = [name for place in range(len(scales)) if (name := scales[place].name)]
+            h5py.h5ds.iterate(dataset.id, dimension, scales.append, 0)  # `dataset.dims` takes twice as long
+            names = [text(name) for scale in scales if (name := h5py.h5i.get_name(scale))]
         except UNREADABLE:  # it was taken out of the file
             names = []
         if not names:
