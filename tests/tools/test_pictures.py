@@ -14,7 +14,7 @@ import numpy as np
 
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
-from pictures import TINY, Figure, PicturesCase, run  # noqa: E402
+from pictures import TINY, Figure, PicturesCase, run, unplaced  # noqa: E402
 from rubatlas import elastica, style  # noqa: E402
 from rubatlas.atlas_file import AtlasFile  # noqa: E402
 from rubatlas.plots import KINDS  # noqa: E402
@@ -61,7 +61,8 @@ class ToolsPictures(PicturesCase):
         with tempfile.TemporaryDirectory() as folder:
             atlas, maps = self.changed(folder, without_clearance, "atlas.h5", "maps.h5")
             pictures = pathlib.Path(folder) / "pictures"
-            ended = run("all", atlas, "--maps", maps, "--dpi", 20, "-o", pictures)
+            with unplaced():
+                ended = run("all", atlas, "--maps", maps, "--dpi", 20, "-o", pictures)
             self.assertEqual(ended.returncode, 0)
             self.assertRegex(ended.stderr, r"\Arubatlas-plot all: displacement is left out: [^\n]* has no clearance "
                                            r"[^\n]*\n\Z")
@@ -71,7 +72,8 @@ class ToolsPictures(PicturesCase):
 
     def test_all_pictures_are_drawn_where_a_quantity_is_swept_by_its_pointer_in_the_width_that_is_asked_for(self):
         with tempfile.TemporaryDirectory() as folder:
-            ended = run("all", TINY / "rings.h5", "--width", "85mm", "--dpi", "100", "-o", folder)
+            with unplaced():
+                ended = run("all", TINY / "rings.h5", "--width", "85mm", "--dpi", "100", "-o", folder)
             self.assertEqual(ended.returncode, 0)
             self.assertRegex(ended.stderr, r"\A([^\n]*: sensitivity_blade_passing\w* is left out: [^\n]* it has no "
                                            r"/class_blade_passing; [^\n]*poincare_blade_passing\n){2}\Z")
