@@ -19,9 +19,7 @@ constexpr std::array kLoads{trajectory::Load::normal_force, trajectory::Load::ro
 class LoadsOfPieces final : public modes::MotionListener {
  public:
   void piece(trajectory::MotionPiece& piece) override {
-    for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) {
-      for (std::size_t i = 0; i < kLoads.size(); ++i) look_at(piece, contact, i);
-    }
+    for (std::size_t contact = 0; contact < piece.contact_count(); ++contact) look_at(piece, contact);
     with_several_ |= piece.contact_count() > 1;
   }
   void event(const modes::Event& event) override {
@@ -36,19 +34,23 @@ class LoadsOfPieces final : public modes::MotionListener {
   std::array<double, 2> sampled{};
 
  private:
-  void look_at(trajectory::MotionPiece& piece, std::size_t contact, std::size_t number) {
+  void look_at(trajectory::MotionPiece& piece, std::size_t contact) {
     constexpr int kSamples = 24;
-    const trajectory::Load load = kLoads[number];
-    // In this order, since a piece may keep what it has found.
-    largest[number] = std::max(largest[number], piece.largest(load, contact, largest[number]).value);
-    const double found = piece.largest(load, contact, 0.0).value;
-    for (int i = 0; i <= kSamples; ++i) {
-      const double share = static_cast<double>(i) / kSamples;
-      const double time = i == kSamples ? piece.end() : piece.begin() + share * (piece.end() - piece.begin());
+    std::array<double, 2> found{};
+    for (std::size_t i = 0; i < kLoads.size(); ++i) {
+      // In this order, since a piece may keep what it has found.
+      largest[i] = std::max(largest[i], piece.largest(kLoads[i], contact, largest[i]).value);
+      found[i] = piece.largest(kLoads[i], contact, 0.0).value;
+    }
+    for (int k = 0; k <= kSamples; ++k) {
+      const double share = static_cast<double>(k) / kSamples;
+      const double time = k == kSamples ? piece.end() : piece.begin() + share * (piece.end() - piece.begin());
       const trajectory::ContactForce there = piece.contact_force(contact, time);
-      const double value = load == trajectory::Load::normal_force ? there.normal : there.root_strain;
-      sampled[number] = std::max(sampled[number], value);
-      too_small = std::max(too_small, (value - found) / sampled[number]);
+      for (std::size_t i = 0; i < kLoads.size(); ++i) {
+        const double value = kLoads[i] == trajectory::Load::normal_force ? there.normal : there.root_strain;
+        sampled[i] = std::max(sampled[i], value);
+        too_small = std::max(too_small, (value - found[i]) / sampled[i]);
+      }
     }
   }
   bool with_several_ = false;
