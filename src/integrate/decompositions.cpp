@@ -19,7 +19,17 @@ SchurForm schur_form(const Eigen::MatrixXd& matrix) {
 }
 
 Eigen::VectorXcd EigenModes::coordinates(const Eigen::VectorXd& vector) const {
-  return shapes.partialPivLu().solve(vector.cast<std::complex<double>>());
+  // In real and imaginary parts: the decomposition of complex matrices would take the compiler seconds.
+  const Eigen::Index count = vector.size();
+  Eigen::MatrixXd parts(2 * count, 2 * count);
+  parts << shapes.real(), -shapes.imag(), shapes.imag(), shapes.real();
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * count);
+  right.head(count) = vector;
+  const Eigen::MatrixXd solved = solve(parts, right);
+  Eigen::VectorXcd result(count);
+  result.real() = solved.topRows(count);
+  result.imag() = solved.bottomRows(count);
+  return result;
 }
 
 /// From those of (A − σB)⁻¹ B, which are 1/(λ − σ). Of some σ, more than there are λ, the one that is

@@ -129,11 +129,15 @@ void SupportBounds::add_energy_norm() {
 }
 
 void SupportBounds::add_modal_norm() {
-  const Eigen::Matrix4cd shapes = integrate::eigen_modes(system_).shapes;
-  const Eigen::FullPivLU<Eigen::Matrix4cd> factors(shapes);
-  if (!factors.isInvertible()) return;
-  const Eigen::Matrix4cd inverse = factors.inverse();
-  const Matrix4d weight = (inverse.adjoint() * inverse).real();  // conjugate pairs: it is real
+  const integrate::EigenModes modes = integrate::eigen_modes(system_);
+  Matrix4d real, imaginary;  // parts of the inverse of the shapes
+  for (int i = 0; i < 4; ++i) {
+    const Eigen::VectorXcd column = modes.coordinates(Eigen::Vector4d::Unit(i));
+    real.col(i) = column.real();
+    imaginary.col(i) = column.imag();
+  }
+  // Conjugate pairs: the product of the inverse with its adjoint is real. Where there is none, it is no norm.
+  const Matrix4d weight = real.transpose() * real + imaginary.transpose() * imaginary;
   add_norm(0.5 * (weight + weight.transpose()), false);
 }
 
