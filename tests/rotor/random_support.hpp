@@ -1,10 +1,9 @@
 /// Random linear supports, and their flight as the exponential of one matrix in extended precision
-/// (Eigen's Padé approximation: no table, no splitting, no case distinctions).
+/// (its series: no table, no splitting, no case distinctions).
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <random>
-#include <unsupported/Eigen/MatrixFunctions>
 #include <vector>
 
 #include "integrate/decompositions.hpp"
@@ -59,6 +58,21 @@ class ExactFlight {
     return result;
   }
 
+  /// Of so small a part that two dozen terms of the series are all of it, squared as often as that was
+  /// halved.
+  static Matrix exponential(Matrix exponent) {
+    int halved = 0;
+    for (; exponent.norm() > 0.5L; ++halved) exponent *= 0.5L;
+    Matrix term = Matrix::Identity(exponent.rows(), exponent.cols());
+    Matrix sum = term;
+    for (int n = 1; n <= 24; ++n) {
+      term = (term.lazyProduct(exponent) / Real(n)).eval();
+      sum += term;
+    }
+    for (; halved > 0; --halved) sum = sum.lazyProduct(sum).eval();
+    return sum;
+  }
+
   /// (s, pairs) at `time`.
   static Vector whole(const LinearSupport& support, double time, const LinearSupport::State& state) {
     const auto terms = support.terms();
@@ -72,10 +86,10 @@ class ExactFlight {
   }
 
   ExactFlight(const LinearSupport& support, double elapsed)
-      : support_(&support), flow_((generator(support) * Real(elapsed)).exp()) {}
+      : support_(&support), flow_(exponential(generator(support) * Real(elapsed))) {}
 
   [[nodiscard]] LinearSupport::State state(double start_time, const LinearSupport::State& start) const {
-    return (flow_ * whole(*support_, start_time, start)).head<4>().cast<double>();
+    return flow_.lazyProduct(whole(*support_, start_time, start)).head<4>().cast<double>();
   }
 
   /// Largest motion that a start of this size and the forcing can have at the end.

@@ -1,7 +1,7 @@
 /// Flight on a general linear support against closed forms and the matrix exponential.
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <complex>
 #include <limits>

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <functional>
 #include <numbers>
-#include <unsupported/Eigen/MatrixFunctions>
 #include <vector>
 
 #include "../support/point.hpp"
@@ -127,9 +126,13 @@ Eigen::Matrix2d along_x(const variation::Tangents& tangents) {
 }
 /// e^{At} of x'' + 2ζ x' + (1 + κ) x = 0.
 Eigen::Matrix2d exponential(double stiffness, double duration) {
-  const Eigen::Matrix2d system =
-      (Eigen::Matrix2d() << 0.0, 1.0, -1.0 - stiffness, -2.0 * kDamping).finished();
-  return (system * duration).eval().exp();
+  const double frequency = std::sqrt(1.0 + stiffness - kDamping * kDamping);
+  const double cosine = std::cos(frequency * duration);
+  const double sine = std::sin(frequency * duration) / frequency;
+  const Eigen::Matrix2d turned = (Eigen::Matrix2d() << cosine + kDamping * sine, sine,
+                                  -(1.0 + stiffness) * sine, cosine - kDamping * sine)
+                                     .finished();
+  return std::exp(-kDamping * duration) * turned;
 }
 
 /// Flies to the wall, is pressed in and let go; the tangents of contact alone, and of all.
