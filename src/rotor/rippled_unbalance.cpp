@@ -1,7 +1,6 @@
 #include "rotor/rippled_unbalance.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/bessel.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,7 +14,7 @@ std::vector<Harmonic> rippled_unbalance(const effects::SpeedRipple& ripple, doub
   std::vector<Harmonic> terms;
   const auto add = [&](int k) {
     const double frequency = speed_ratio * (1.0 + k * ripple.order);
-    const double weight = boost::math::cyl_bessel_j(k, depth);
+    const double weight = ::jn(k, depth);
     const double amplitude = specific_moment * frequency * frequency * weight;
     const double angle = phase - depth * std::sin(ripple.phase) + k * ripple.phase;
     terms.emplace_back(std::abs(amplitude), amplitude < 0.0 ? angle + std::numbers::pi : angle, frequency,
