@@ -101,8 +101,8 @@ TEST(Automaton, HasEveryEventOfRandomMotions) {
   // Of any kind, and of those whose tips may stick, which are rare.
   constexpr int kOfAnyKind = 80;
   constexpr int kThatStick = 25;
-  // A motion asks after each of its few revolutions, and after each 2 ms of work, that of its observables with
-  // it: the few that take a second each have the events of the others, more often.
+  // A motion asks after each of its few revolutions, and after each 2 ms of work, that of its observables
+  // with it: the few that take a second each have the events of the others, more often.
   constexpr int kMostQuestions = 100;
   int followed = 0;
   int sticking = 0;
