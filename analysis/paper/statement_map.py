@@ -139,9 +139,8 @@ def draw(options: argparse.Namespace) -> None:
             kinds[i, j], brief = column.findings.get(row, (NOTHING, "·"))
             if not narrow:
                 axes.text(j, i, brief, ha="center", va="center", fontsize=7, color=style.INK)
-    image = {"aspect": "auto", "interpolation": "nearest", "extent": (-0.5, len(columns) - 0.5, -0.5, len(rows) - 0.5),
-             "origin": "lower"}
-    handles = style.cells_into(axes, [(entry, kinds == kind) for kind, entry in LOOKS.items()], image)
+    borders = [np.arange(count + 1) - 0.5 for count in (len(columns), len(rows))]
+    handles = style.cells_into(axes, [(entry, kinds == kind) for kind, entry in LOOKS.items()], borders)
     axes.invert_yaxis()
     axes.set_yticks(range(len(rows)), [textwrap.fill(f"{name}  {claim}", 26 if narrow else 99) for name, claim in rows])
     counted = [f"{found(column, rows)} of {len(rows)}" for column in columns]

@@ -43,6 +43,17 @@ class ToolsPictures(PicturesCase):
                          ["bifurcation.png", "blade.png", "displacement.png", "margin.png", "sensitivity.png",
                           "sensitivity_blade_passing.png", "signature.png", "stack.png", "waterfall.png"])
 
+    def test_without_maps_all_draws_what_needs_none(self):
+        with tempfile.TemporaryDirectory() as folder:
+            atlas, pictures = pathlib.Path(folder) / "atlas.h5", pathlib.Path(folder) / "pictures"
+            shutil.copy(TINY / "atlas.h5", atlas)
+            ended = run("all", atlas, "--dpi", 20, "-o", pictures)
+            self.assertEqual(ended.returncode, 0)
+            self.assertEqual(re.findall(r"all: (\w+) is left out: .*: no maps beside it", ended.stderr),
+                             ["signature", "margin"])
+            self.assertEqual(sorted(path.stem for path in pictures.iterdir()),
+                             ["bifurcation", "blade", "displacement", "sensitivity", "stack", "waterfall"])
+
     def changed(self, folder, change, *names):
         """Copies of files of the tiny atlas, with a change to their scene."""
         paths = [pathlib.Path(folder) / name for name in names]
@@ -114,6 +125,18 @@ class ToolsPictures(PicturesCase):
             wanted = [1e3 * atlas.line(damping_ratio=value).rows("max_displacement") for value in (0.05, 0.1, 0.2)]
         largest = np.nanmax(wanted)  # the map covers three decades below it
         np.testing.assert_array_equal(np.ma.filled(image, np.nan), np.maximum(wanted, 1e-3 * largest))
+
+    def test_cells_of_an_axis_of_uneven_steps_lie_where_its_values_are(self):
+        speed = np.array([0.6, 0.605, 0.61, 0.7, 0.9])
+        _, panel = style.plt.subplots()
+        place = style.edges_of(speed), np.array([-0.5, 0.5])
+        image = style.image_into(panel, np.arange(5.0)[np.newaxis], place)
+        left, right, *_ = image.get_extent()
+        row = image.get_array()[0]
+        np.testing.assert_array_equal(row[((speed - left) / (right - left) * len(row)).astype(int)], np.arange(5))
+        entry = {"name": "hatched", "colour": "red", "hatch": "/"}
+        style.cells_into(panel, [(entry, speed[np.newaxis] == 0.7)], place)
+        np.testing.assert_allclose(panel.patches[0].get_path().vertices[:2, 0], [0.655, 0.8])
 
     def test_points_without_a_motion_are_covered_and_said_to_be_so(self):
         figure = Figure("map", TINY / "atlas.h5", "--maps", TINY / "maps.h5")

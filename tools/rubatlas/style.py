@@ -226,6 +226,29 @@ def edges_of(values):
     return np.concatenate([[2.0 * values[0] - middle[0]], middle, [2.0 * values[-1] - middle[-1]]])
 
 
+def limits_of(values):
+    """From the first to the last value of an axis; around a single one."""
+    return (edges_of(values) if len(values) == 1 else np.asarray(values))[[0, -1]]
+
+
+FINE = 2000  # parts of an axis whose cells are not as wide as each other
+
+
+def _parts(borders):
+    """In which cell each part of an axis lies: as many parts as cells where these are as wide as each other."""
+    widths = np.diff(borders)
+    if np.allclose(widths, widths[0], rtol=1e-6, atol=0.0):
+        return np.arange(len(widths))
+    return np.searchsorted(borders, np.linspace(borders[0], borders[-1], 2 * FINE + 1)[1::2]) - 1
+
+
+def image_into(panel, values, place, **look):
+    """Draws the values of cells, row by row from below; `place`: the borders between them along x and along y."""
+    (left, right), (bottom, top) = (borders[[0, -1]] for borders in place)
+    return panel.imshow(values[np.ix_(*map(_parts, reversed(place)))], origin="lower", aspect="auto",
+                        interpolation="nearest", extent=(left, right, bottom, top), **look)
+
+
 def look(entry, density=4, ink=QUIET):
     """How a patch shows an entry of the palette."""
     return {"facecolor": entry["colour"], "edgecolor": ink, "hatch": density * entry.get("hatch", "")}
@@ -273,28 +296,27 @@ def class_cells(classes, status, untouched=False):
     return [*motion, (PALETTE["no_contact"], (status == DONE) & untouched), *missing_cells(status)]
 
 
-def _hatched(where, extent, hatch):
+def _hatched(where, place, hatch):
     """A patch that hatches the cells of an image in which `where` is true."""
-    left, right, bottom, top = extent
     steps = np.diff(np.pad(where.astype(np.int8), ((0, 0), (1, 1))), axis=1)
     (row, first), (_, end) = np.nonzero(steps == 1), np.nonzero(steps == -1)  # runs of cells of a row
-    x = [left + (right - left) * column / where.shape[1] for column in (first, end)]
-    y = [bottom + (top - bottom) * height / where.shape[0] for height in (row, row + 1)]
+    x, y = [place[0][column] for column in (first, end)], [place[1][height] for height in (row, row + 1)]
     corners = np.stack([x[0], y[0], x[1], y[0], x[1], y[1], x[0], y[1], x[0], y[0]], axis=-1).reshape(-1, 2)
     kinds = np.tile([Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY], len(row))
     return PathPatch(Path(corners, kinds), facecolor="none", edgecolor=QUIET, hatch=hatch, lw=0)
 
 
 def cells_into(panel, cells, place):
-    """Colours and hatches cells of an image, and leaves the others clear; returns the legend of those that occur."""
+    """Colours and hatches cells, placed as those of `image_into`, and leaves the others clear; returns the legend of
+    those that occur."""
     image = np.zeros((*cells[0][1].shape, 4))
     for entry, where in cells:
         image[where] = matplotlib.colors.to_rgba(entry["colour"])
-    panel.imshow(image, **place)
+    image_into(panel, image, place)
     found = [(entry, where) for entry, where in cells if where.any()]
     for entry, where in found:
         if entry.get("hatch"):
-            panel.add_patch(_hatched(where, place["extent"], look(entry)["hatch"]))
+            panel.add_patch(_hatched(where, place, look(entry)["hatch"]))
     return [Patch(**look(entry), lw=0.5, label=entry["name"]) for entry, _ in found]
 
 

@@ -12,13 +12,12 @@ import pathlib
 import sys
 
 from rubatlas import command_line
-from rubatlas.atlas_file import AtlasError, AtlasFile
-from rubatlas.same_scene import require_maps_of
+from rubatlas.atlas_file import AtlasError
 
 
 def pictures(atlas, maps):
     """Of each picture its name, its kind, and the options that are not the kind's own choice."""
-    if "basins" in maps:
+    if maps and "basins" in maps:
         return [("basins", "basins", [])]
     found: list[tuple[str, str, list[str]]] = [(kind, kind, []) for kind in ("bifurcation", "waterfall", "signature")]
     for number, axis in enumerate(atlas.swept_axes() or [None]):
@@ -26,7 +25,7 @@ def pictures(atlas, maps):
         behind = f"_{axis}" if number else ""
         found += [(f"stack{behind}", "stack", along)] if axis else []
         found += [(f"displacement{behind}", "displacement", along), (f"sensitivity{behind}", "map", along),
-                  (f"sensitivity_blade_passing{behind}", "map", [*along, "--passing"]),
+                  *([(f"sensitivity_blade_passing{behind}", "map", [*along, "--passing"])] if maps else []),
                   (f"margin{behind}", "margin", along)]
     return [*found, ("blade", "blade", [])]
 
@@ -43,17 +42,18 @@ def is_drawn(kind, arguments):
 
 
 def draw(options):
-    maps_path = command_line.maps_of(options, required=True)
-    with AtlasFile(options.source) as atlas, AtlasFile(maps_path) as maps:
-        require_maps_of(atlas, maps)
+    with command_line.atlas_with_maps(options) as (atlas, maps):
         found = pictures(atlas, maps)
+        with_maps = ["--maps", str(maps.path)] if maps else []
+    if options.output.is_file():
+        raise AtlasError(f"{options.output}: a file is there; the pictures go into a folder")
     options.output.mkdir(parents=True, exist_ok=True)
     size = [f"--{name}={value}{unit}" for name, value, unit in
             (("width", options.width, "in"), ("dpi", options.dpi, "")) if value is not None]
     command, drawn = sys.argv[0], 0
     for name, kind, chosen in found:
         if kind in ("map", "stack", "basins", "margin", "signature"):
-            chosen = [*chosen, "--maps", str(maps_path)]
+            chosen = [*chosen, *with_maps]
         sys.argv[0] = f"{command}: {name} is left out"  # for messages
         drawn += is_drawn(kind, [str(options.source), "-o", str(options.output / f"{name}.png"), *size, *chosen])
     sys.argv[0] = command

@@ -42,9 +42,7 @@ def cells_of(attractor, motion, status):
 
 
 def place_of(atlas, horizontal, vertical):
-    borders = [style.edges_of(style.drawn(atlas.units(name))[1] * atlas.axis(name)) for name in (horizontal, vertical)]
-    return dict(origin="lower", aspect="auto", interpolation="nearest",
-                extent=(*borders[0][[0, -1]], *borders[1][[0, -1]]))
+    return [style.edges_of(style.drawn(atlas.units(name))[1] * atlas.axis(name)) for name in (horizontal, vertical)]
 
 
 def draw(options):

@@ -106,7 +106,7 @@ def draw(options):
         panels[-1].set_xlabel(style.label(atlas, "speed_ratio"))
         style.rpm_axis(panels[0], atlas.sizes())
         style.legend(panels[-1 if style.is_narrow(options) else 0], options, handles, "upper left")
-        panels[-1].set_xlim(speed[0], speed[-1])
+        panels[-1].set_xlim(*style.limits_of(speed))
         found = [handle for panel, zoom in zip(zooms, options.zoom)
                  for handle in zoom_into(panel, line, maps, zoom, name)]
         for zoom in options.zoom:

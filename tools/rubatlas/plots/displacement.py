@@ -27,7 +27,7 @@ def into(panel, atlas, along, wanted):
     panel.axhline(1.0, color=style.GREY, lw=0.8, ls=(0, (4, 3)))
     panel.set_xlabel(style.label(atlas, "speed_ratio"))
     panel.set_ylabel("Maximum displacement / clearance [-]")
-    panel.set_xlim(speed[0], speed[-1])
+    panel.set_xlim(*style.limits_of(speed))
     panel.set_ylim(bottom=0)
     return lines, gaps
 

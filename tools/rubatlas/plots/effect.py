@@ -32,7 +32,7 @@ def draw(options):
             panels[1, column].set_xlabel(style.label(source, "speed_ratio"))
             panels[1, column].label_outer()
             style.legend(panels[1 if style.is_narrow(options) else 0, column], options, handles, "upper left")
-            panels[0, column].set_xlim(speed[0], speed[-1])
+            panels[0, column].set_xlim(*style.limits_of(speed))
             panels[0, column].set_title(name, loc="right")
             style.rpm_axis(panels[0, column], source.sizes())
         style.label_row(options, panels[0], f"y at the section [{units}]")

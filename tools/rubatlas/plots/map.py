@@ -20,7 +20,7 @@ NO_CONTACT = 1  # as maps number it
 
 
 def rows_of(atlas, along, wanted):
-    """The lines along a parameter, and where an image of them lies."""
+    """The lines along a parameter, and where their cells lie."""
     if along is None:
         along = atlas.axes[-2]
     if along not in atlas.axes[:-1]:
@@ -30,10 +30,8 @@ def rows_of(atlas, along, wanted):
 
 
 def place_of(speed, count):
-    """Where an image of so many lines lies, a row for each."""
-    half = 0.5 * (speed[1] - speed[0]) if len(speed) > 1 else 0.01
-    return {"origin": "lower", "aspect": "auto", "interpolation": "nearest",
-            "extent": (speed[0] - half, speed[-1] + half, -0.5, count - 0.5)}
+    """Where the cells of so many lines lie, a row for each."""
+    return style.edges_of(speed), np.arange(count + 1) - 0.5
 
 
 def size_of(options, panels, lines):
@@ -70,8 +68,8 @@ def into(panel, atlas, along, wanted, name="max_displacement"):
         raise AtlasError(f"{name}: more than one number per point; a map needs one")
     # Logarithmic, over three decades: the small motion below the first trigger has a structure of its own.
     largest = np.nanmax(values, initial=0.0) or 1.0
-    image = panel.imshow(np.ma.masked_invalid(np.maximum(values, 1e-3 * largest)), cmap=style.SEQUENTIAL,
-                         norm=style.matplotlib.colors.LogNorm(1e-3 * largest, largest), **place)
+    image = style.image_into(panel, np.ma.masked_invalid(np.maximum(values, 1e-3 * largest)), place,
+                             cmap=style.SEQUENTIAL, norm=style.matplotlib.colors.LogNorm(1e-3 * largest, largest))
     gaps = style.cells_into(panel, style.missing_cells(np.array([line.status() for line in lines])), place)
     finish(panel, atlas, along, lines)
     return image, gaps

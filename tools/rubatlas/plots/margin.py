@@ -46,8 +46,8 @@ def into(panel, atlas, maps, along, wanted, name="speed_ratio"):
     steps = np.diff(atlas.axis(name if name in atlas.axes else "speed_ratio"))
     least = 0.1 * np.abs(steps).min() if len(steps) else 1e-6
     most = max(np.nanmax(values, initial=least), 2.0 * least)
-    image = panel.imshow(np.ma.masked_invalid(np.maximum(values, least)), cmap=style.SEQUENTIAL,
-                         norm=style.matplotlib.colors.LogNorm(least, most), **place)
+    image = style.image_into(panel, np.ma.masked_invalid(np.maximum(values, least)), place, cmap=style.SEQUENTIAL,
+                             norm=style.matplotlib.colors.LogNorm(least, most))
     status = np.array([line.status() for line in lines])
     handles = style.cells_into(panel, style.missing_cells(status), place)
     if (np.isnan(values) & (status == DONE)).any():

@@ -48,7 +48,7 @@ def require_json_place(options):
         return
     path = pathlib.Path(options.json)
     if path.suffix != ".json" or not path.parent.is_dir():
-        raise AtlasError(f"--json {path}: a file that ends in .json, in a folder that is there")
+        raise AtlasError(f"--json {path}: must be a file that ends in .json, in a folder that is there")
     if path.exists():
         try:
             replaceable = "bands" in json.loads(path.read_text(encoding="utf-8"))
@@ -61,11 +61,10 @@ def require_json_place(options):
 def draw_picture(atlas, judgement, options, what):
     limits = judgement.limits
     figure, panels = style.subplots(options, len(limits), 1, (9.5, 1.3 + 1.8 * len(limits)), sharex=True)
-    border = style.edges_of(judgement.speed)
     for panel, limit in zip(panels[:, 0], limits):
         unit, factor = style.drawn(limit.units)
         for first, last in bands_of(judgement.safe):
-            panel.axvspan(border[first], border[last + 1], color=style.GREEN, alpha=0.18, lw=0, zorder=0)
+            panel.axvspan(*judgement.speed[[first, last]], color=style.GREEN, alpha=0.18, lw=0, zorder=0)
         gaps = style.mark_missing(panel, judgement.speed, judgement.status)
         style.curve(panel, judgement.speed, factor * limit.worst(), color=style.BLUE)
         panel.axhline(factor * limit.bound, color=style.VERMILION, lw=0.9, ls=(0, (4, 3)))
@@ -88,7 +87,7 @@ def draw_picture(atlas, judgement, options, what):
     panels[-1, 0].set_xlabel(style.label(atlas, "speed_ratio"))
     style.legend(panels[-1 if style.is_narrow(options) else 0, 0], options, [*handles, *gaps])
     style.rpm_axis(panels[0, 0], judgement.sizes)
-    panels[-1, 0].set_xlim(judgement.speed[0], judgement.speed[-1])
+    panels[-1, 0].set_xlim(*style.limits_of(judgement.speed))
     style.title(figure, atlas, f"Safe for {what}, in {judgement.sweeps()}")
     style.save(figure, options)
 

@@ -48,7 +48,7 @@ def into(panels, line, found):
     displacement.set_ylabel(f"Maximum displacement [{units}]")
     displacement.set_ylim(bottom=0.0)
     displacement.set_xlabel(style.label(atlas, "speed_ratio"))
-    displacement.set_xlim(speed[0], speed[-1])
+    displacement.set_xlim(*style.limits_of(speed))
     for column, name, colour in (("announced_speed_ratio", "announced", style.GREEN),
                                  ("limit_speed_ratio", "limit passed", style.PURPLE)):
         if np.isfinite(found[column]):

@@ -58,7 +58,7 @@ def draw(options):
             for name, colours in (("periodic, or unresolved", bifurcation.COLOURS), ("aperiodic", LIGHTER)):
                 handles[name] = style.plt.Line2D([], [], color=colours[options.component], label=name, **dots)
         panels[0].locator_params(axis="y", nbins=4)
-        panels[0].set_xlim(speed[0], speed[-1])
+        panels[0].set_xlim(*style.limits_of(speed))
         panels[-1].set_xlabel(style.label(atlas, "speed_ratio"))
         figure.supylabel(words, fontsize=style.plt.rcParams["axes.labelsize"])
         style.legend(panels[-1], options, list(handles.values()), "below")

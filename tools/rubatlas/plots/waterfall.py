@@ -13,7 +13,6 @@ import numpy as np
 from rubatlas import command_line
 from rubatlas import style
 from rubatlas.atlas_file import AtlasFile
-from rubatlas.plots.map import place_of
 
 
 def by_frequency(speed, order, amplitude, edges):
@@ -75,11 +74,10 @@ def into(panel, line, max_frequency=None):
     shown = factor * by_frequency(speed, order, amplitude, edges)
     largest = np.nanmax(shown, initial=0.0)
     floor = 1e-6 * largest if largest > 0 else 1e-12
-    low, high, *_ = place_of(speed, 1)["extent"]
-    place = {**place_of(speed, 1), "extent": (0.0, top, low, high)}
-    image = panel.imshow(np.ma.masked_invalid(np.maximum(shown, floor)), cmap="magma",
-                         norm=style.matplotlib.colors.LogNorm(floor, max(largest, 10 * floor)), **place)
-    gaps = style.cells_into(panel, style.missing_cells(line.status()[:, np.newaxis]), place)
+    rows = style.edges_of(speed)
+    image = style.image_into(panel, np.ma.masked_invalid(np.maximum(shown, floor)), (edges, rows), cmap="magma",
+                             norm=style.matplotlib.colors.LogNorm(floor, max(largest, 10 * floor)))
+    gaps = style.cells_into(panel, style.missing_cells(line.status()[:, np.newaxis]), (edges[[0, -1]], rows))
     panel.grid(False)
     panel.tick_params(axis="x", pad=7.0)  # the marks stand between
     mark_orders(panel, top, line.scene["blades"]["count"])
