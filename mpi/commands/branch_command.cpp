@@ -199,8 +199,8 @@ int follow_branch(const BranchCommand& command) {
   if (!start) {
     throw UsageError(
         fmt::format("--from {}: the motion from /initial does not settle on a periodic orbit within {} "
-                    "revolutions; choose "
-                    "another place, or a longer /protocol/transient_revolutions",
+                    "revolutions, or leaves the model, as `rubatlas orbit` shows; choose another place, or a "
+                    "longer /protocol/transient_revolutions",
                     fmt::join(command.from, ","), scene.protocol.transient_revolutions));
   }
   const double direction = command.to && *command.to < value ? -1.0 : 1.0;
@@ -209,7 +209,8 @@ int follow_branch(const BranchCommand& command) {
                               : fmt::format("an end of {} to {}", first.lowest, first.highest);
   const auto most = static_cast<std::size_t>(command.points);
 
-  atlas::BranchContents contents{{axes[along].quantity}, {}, std::nullopt, scene.accuracy.tolerance};
+  atlas::BranchContents contents{
+      {axes[along].quantity}, {}, std::nullopt, scene.accuracy.tolerance, parameters};
   branch::Branch followed = continuation.follow(*start, direction, most);
   say_where_it_stopped(followed, command.along, end);
   if (command.both || !command.to) {

@@ -114,6 +114,11 @@ void write_branch(const Output& output, const settings::Scene& scene, const std:
   file.root().set_text("along", std::string(contents.quantities.front()->pointer));
   if (contents.quantities.size() > 1)
     file.root().set_text("in", std::string(contents.quantities[1]->pointer));
+  const auto axes = settings::axes_of(scene);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (std::ranges::find(contents.quantities, axes[i].quantity) == contents.quantities.end())
+      file.root().set_number<double>(axes[i].name, contents.values[i]);
+  }
   if (contents.curve_of) file.root().set_text("curve", std::string(branch::word_of(*contents.curve_of)));
   file.root().set_number<std::uint8_t>(
       "goes_on", std::ranges::any_of(contents.branches, &branch::Branch::goes_on) ? 1 : 0);

@@ -19,7 +19,8 @@ struct BranchContents {
   std::vector<const settings::Quantity*> quantities;  ///< that vary: one, or two of a curve
   std::vector<branch::Branch> branches;
   std::optional<branch::EventKind> curve_of;
-  double tolerance;  ///< `accuracy.tolerance` of the motions
+  double tolerance;            ///< `accuracy.tolerance` of the motions
+  std::vector<double> values;  ///< of all axes of the scene; of what varies, where the branch has started
 };
 
 /// Writes over the axis `point` `/parameter`, `/second_parameter` (curves), `/section` (point × component),

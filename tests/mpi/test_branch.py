@@ -84,6 +84,9 @@ class Branch(JobTest):
         said = self.branch(*options, "--points", "5")
         self.assertRegex(said, r"rubatlas: stopped after 5 orbits at speed_ratio = 0\.42\d*, before --to 0\.43; a ")
         self.assertEqual(self.goes_on(), 1)
+        with h5py.File(self.directory / "branch.h5", "r") as file:
+            self.assertEqual((file.attrs["damping_ratio"], file.attrs["friction"]), (0.1, 0.1))
+            self.assertNotIn("speed_ratio", file.attrs, "it varies")
         self.assertNotIn("stopped", self.branch(*options))
         self.assertEqual(self.goes_on(), 0)
         said = self.branch(*options, "--both", "--points", "5")

@@ -16,6 +16,7 @@ from pictures import TINY, Figure, PicturesCase, run  # noqa: E402
 from rubatlas import style  # noqa: E402
 from rubatlas.atlas_file import AtlasFile  # noqa: E402
 from rubatlas.palette import PALETTE  # noqa: E402
+from rubatlas.plots.orbit import OrbitFile  # noqa: E402
 
 
 class PicturesOfMotions(PicturesCase):
@@ -49,6 +50,14 @@ class PicturesOfMotions(PicturesCase):
             np.testing.assert_array_equal(drawn[np.concatenate([[0], gaps[:-1] + 1])], 0.0)
         self.assertGreater(max(np.diff(line.get_ydata()[~np.isnan(line.get_ydata())]).size for line in forces.lines),
                            50)
+
+    def test_revolutions_at_a_speed_that_ramps_are_as_long_as_each_is(self):
+        orbit = object.__new__(OrbitFile)
+        orbit.attributes, orbit.scene = {"speed_ratio": 0.5}, {"speed_ramp": {"rate": 0.1}}
+        orbit.data = {"sections": np.zeros((3, 4))}
+        periods = 2.0 * np.pi / np.array([0.5, 0.6, 0.7])
+        np.testing.assert_allclose(orbit.revolutions(np.cumsum(periods)), [1.0, 2.0, 3.0], rtol=1e-14)
+        self.assertAlmostEqual(orbit.revolutions(periods[0] + 0.25 * periods[1]), 1.25)
 
     def test_an_orbit_is_drawn_in_its_own_ring(self):
         self.assertIn("clearance 9.5 mm", Figure("orbit", TINY / "rings_orbit.h5").texts())

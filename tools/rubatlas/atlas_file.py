@@ -57,6 +57,14 @@ def same_value(one, other):
     return abs(one - other) <= 1e-9 * max(abs(one), abs(other))
 
 
+def values_of(attributes, further=()):
+    """The point that attributes of a file name, in words: one entry for each quantity of the grid."""
+    units = {"unbalance": " kg m", "thickness": " m"}
+    names = ("speed_ratio", "damping_ratio", "friction", "unbalance", "thickness", *further)
+    return [f"{name.replace('_', ' ')} {attributes[name]:g}{units.get(name, '')}" for name in names
+            if name in attributes]
+
+
 def swept_pointers(scene):
     """Axes that the scene's grid names by a JSON pointer: name of the dimension → (section, key)."""
     return {key.strip("/").replace("/", "_"): tuple(key.strip("/").split("/"))

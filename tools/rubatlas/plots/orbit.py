@@ -12,7 +12,7 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import DONE, AtlasError, clearance_of, printable, reading, swept_pointers, text, with_values
+from rubatlas.atlas_file import DONE, AtlasError, clearance_of, printable, reading, swept_pointers, text, values_of, with_values
 from rubatlas.same_scene import require_same_machine
 
 
@@ -54,11 +54,15 @@ class OrbitFile:
                            np.concatenate([[0.0], force[first:last], [0.0, np.nan]])))
         return np.concatenate([one for one, _ in pieces]), np.concatenate([one for _, one in pieces])
 
+    def revolutions(self, time):
+        """How many revolutions have passed at these times; the speed may ramp from one to the next."""
+        number = np.arange(len(self.data["sections"]) + 1)
+        speed = float(self.attributes["speed_ratio"]) + number * (self.scene.get("speed_ramp") or {}).get("rate", 0.0)
+        return np.interp(time, np.concatenate([[0.0], np.cumsum(2.0 * np.pi / speed[:-1])]), number)
+
     def values(self):
         """Its point, in words: one entry for each quantity of the grid."""
-        names = ("speed_ratio", "damping_ratio", "friction", "unbalance", "thickness", *self.further_axes)
-        units = {"unbalance": " kg m", "thickness": " m"}
-        return [f"{name.replace('_', ' ')} {self.attributes[name]:g}{units.get(name, '')}" for name in names]
+        return values_of(self.attributes, self.further_axes)
 
     def describe(self):
         return ", ".join(self.values())
@@ -118,13 +122,12 @@ DASHES = ["-", "--", ":", "-."]  # of blades, which tell them apart in greyscale
 
 def forces_into(forces, orbit, revolutions=3):
     """The force on each blade over the last revolutions."""
-    period = 2.0 * np.pi / float(orbit.attributes["speed_ratio"])
-    revolution = orbit.data["time"] / period
+    revolution = orbit.revolutions(orbit.data["time"])
     last = revolution >= revolution[-1] - revolutions
     for blade in range(orbit.data["force"].shape[1]):
         time, force = orbit.contacts(blade + 1, orbit.data["time"][last][0])
         peak = f", up to {np.nanmax(force):.4g} {orbit.units['contact_force']}" if len(force) else ", no contact"
-        forces.plot(time / period, force, DASHES[blade % len(DASHES)], lw=1.0,
+        forces.plot(orbit.revolutions(time), force, DASHES[blade % len(DASHES)], lw=1.0,
                     color=style.CYCLE[blade % len(style.CYCLE)], label=f"blade {blade + 1}{peak}")
     forces.set_xlabel("Time [revolutions]")
     forces.set_ylabel(f"Normal force on a blade [{orbit.units['contact_force']}]")
