@@ -45,9 +45,12 @@ std::string text_of(const Edge& edge, const Findings& found) {
       break;
   }
   const bool up = plan::Grid(found.scene).direction(edge.line) == plan::Direction::up;
+  const double last = up ? edge.upper : edge.lower;
+  const bool is_last = edge.lower == edge.upper;  // of the grid, where nothing lies between
   return fmt::format(
       "{} {}, or behind it: a sweep in shorter steps finds at Ω = {:.6g} another motion than the atlas: {}",
-      border_text(edge.region_ends, edge.region_begins), place, up ? edge.upper : edge.lower, sides_of(edge));
+      border_text(edge.region_ends, edge.region_begins), is_last ? fmt::format("at Ω = {:.6g}", last) : place,
+      last, sides_of(edge));
 }
 
 const Edge* find_edge(const Findings& found, std::size_t line, std::uint8_t Edge::*role,

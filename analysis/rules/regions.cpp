@@ -161,7 +161,8 @@ std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
     regions[1].presence = Presence::absent;
   }
 
-  const bool goes_on = second && points[second->last].scaled_speed >= kNominalTrigger[1];
+  const bool goes_on =
+      regions[1].presence == Presence::present && points[second->last].scaled_speed >= kNominalTrigger[1];
   if (fourth) {
     regions[3] = region_over(line, scale, points, fourth->first, fourth->last);
   } else if (goes_on) {

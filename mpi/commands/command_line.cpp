@@ -45,6 +45,18 @@ request, --resume goes on. Any other code is not ours: mpirun ends a job that is
 
 constexpr std::array<std::string_view, 11> kCommands{
     "run", "status", "explain", "orbit", "branch", "analyse", "edges", "accuracy", "verify", "merge", "pack"};
+/// That an option is a number within these limits, whole where they are.
+template <class Number>
+CLI::Validator within(Number least, Number most) {
+  const CLI::Validator range = CLI::Range(least, most);
+  const auto check = [=](const std::string& word) {
+    const char* const kind = std::is_integral_v<Number> ? "whole number" : "number";
+    return range(word).empty() ? std::string()
+                               : fmt::format("{} is no {} from {} to {}", word, kind, least, most);
+  };
+  return {check, ""};
+}
+
 /// In the order of the enumeration ProgressStyle.
 constexpr std::array<std::string_view, 4> kProgressStyles{"auto", "bar", "plain", "off"};
 
@@ -134,7 +146,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   explain
       ->add_option("--measure", explain_command.measured_for,
                    fmt::format("How long points are tried and effects timed; default: {}", kMeasuredSeconds))
-      ->check(CLI::Range(0.0, 3600.0))
+      ->check(within(0.0, 3600.0))
       ->type_name("SECONDS");
 
   OrbitCommand orbit_command;
@@ -183,7 +195,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       ->type_name("VALUE");
   branch
       ->add_option("--points", branch_command.points, "Most orbits of a branch, to each side; default: 2000")
-      ->check(CLI::Range(2, 1000000));
+      ->check(within(2, 1000000));
   branch->add_option("-o,--output", branch_command.output, "Branch to write (HDF5)")->required();
   branch->add_flag("--overwrite", branch_command.overwrite, "Replace an existing branch; no other file");
 
@@ -251,7 +263,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       ->add_option(
           "--recompute", verify_command.recompute,
           "Compute so many rows again, spread over the grid; the build that made them has the same bits")
-      ->check(CLI::Range(0, 1000000000))
+      ->check(within(0, 1000000000))
       ->type_name("ROWS");
 
   MergeCommand merge_command;

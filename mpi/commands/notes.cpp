@@ -199,8 +199,9 @@ std::vector<std::string> doubts_about(const settings::Scene& scene) {
 std::string likely_reason_to_leave(const settings::Scene& scene) {
   const double start = farthest_start(scene, -scene.rotor.misalignment);
   if (start >= scene.ring.radius) {
-    return fmt::format("`initial` puts the shaft {} from the ring's centre, and the ring has a radius of {}",
-                       length(start), length(scene.ring.radius));
+    const bool starts_far = farthest_start(scene, 0.0) >= scene.ring.radius;
+    return fmt::format("`{}` puts the shaft {} from the ring's centre, and the ring has a radius of {}",
+                       starts_far ? "initial" : "misalignment", length(start), length(scene.ring.radius));
   }
   const double overlap = largest_overlap(scene);
   const double limit = scene.validity.max_shortening * scene.blades.length;

@@ -59,8 +59,7 @@ void check_pointer_axis(const std::string& key, const json& value) {
   std::vector<std::string_view> near = allowed;
   for (const auto& axis : grid_axes()) {
     if (key == axis.quantity) {
-      fail(here, fmt::format("with the value {}; the axis of this quantity has a name of its own: {}",
-                             shown(value), axis.name));
+      fail(here, fmt::format("the axis of this quantity has a name of its own: {}", axis.name));
     }
     near.push_back(axis.quantity);
   }

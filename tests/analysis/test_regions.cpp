@@ -93,6 +93,14 @@ TEST(Regions, ThreeIsAbsentAndFourMergedWhereChaosGoesThrough) {
   EXPECT_EQ(regions[3].presence, Presence::merged);
 }
 
+TEST(Regions, FourIsMergedWithNoTwoThatTouchesNowhere) {
+  Line line = line_of(0.05, 901, {{0.3335, {1}, 1e-4}, {0.95, {255}, 1e-2}});
+  line.contact.assign(line.size(), PointContact{.contact = Contact::none});
+  const auto regions = regions_of_line(line);
+  EXPECT_EQ(regions[1].presence, Presence::absent);
+  EXPECT_NE(regions[3].presence, Presence::merged);
+}
+
 TEST(Regions, ThreeMayBeSqueezedBetweenChaosAndChaos) {
   const auto regions =
       regions_of({{0.3335, {1}, 1e-4}, {0.53, {255}, 1e-2}, {0.57, {1}, 1e-2}, {0.95, {255}, 2e-2}});

@@ -140,7 +140,7 @@ def sentence(maps):
     tighter = [other for other in maps.of(usual_method(maps))
                if np.isclose(maps["tolerance"][other], chosen / 10.0, rtol=1e-6, atol=0.0)]
     if tighter:
-        text += f"; ten times more accurate costs {100.0 * (time[tighter[0]] / time[setting] - 1.0):.0f} % more"
+        text += f"; ten times more accurate costs {round(100.0 * (time[tighter[0]] / time[setting] - 1.0))} % more"
     return text + "."
 
 
