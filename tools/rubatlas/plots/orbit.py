@@ -12,7 +12,8 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import DONE, AtlasError, clearance_of, printable, reading, swept_pointers, text, values_of, with_values
+from rubatlas.atlas_file import (DONE, AtlasError, clearance_of, printable, reading, swept_pointers, text, values_of,
+                                 with_values)
 from rubatlas.same_scene import require_same_machine
 
 
