@@ -3,9 +3,10 @@
     branch = rubatlas.branch("default.json", "branch.h5", from_={"speed_ratio": 0.62}, along="speed_ratio", both=True)
     print(rubatlas.verify("default.h5", recompute=20))
 
-A scene is a file, a dict, or an atlas, of which it is that scene. Further keywords are the command's options, without
-the dashes, `from_` with an underscore since Python keeps the word; `rubatlas branch --help` lists them. What the
-program refuses is an AtlasError with its own sentence. Commands without a function here are called by `command`.
+A scene is a file, a dict, or an atlas, of which it is that scene; `run` takes a dict alone. Further keywords are the
+command's options, without the dashes, `from_` with an underscore since Python keeps the word; `rubatlas branch
+--help` lists them. What the program refuses is an AtlasError with its own sentence. Commands without a function here
+are called by `command`.
 """
 from __future__ import annotations
 
