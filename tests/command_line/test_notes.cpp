@@ -147,6 +147,8 @@ TEST(Notes, WhyEveryPointLeavesTheModelIsSaidWhereItCanBeSeen) {
       "of L)");
   EXPECT_EQ(reason(R"("initial": {"x": 0.2})"),
             "`initial` puts the shaft 200.25 mm from the ring's centre, and the ring has a radius of 110 mm");
+  EXPECT_EQ(reason(R"("rotor": {"misalignment": 1})"),
+            "`misalignment` puts the shaft 1 m from the ring's centre, and the ring has a radius of 110 mm");
   const std::string beyond = "`initial` puts the shaft where a blade reaches 99.4587 mm beyond the ring";
   EXPECT_EQ(reason(R"("initial": {"x": 0.109})"), beyond);
   EXPECT_EQ(likely_reason_to_leave(settings::parse_scene(

@@ -72,7 +72,8 @@ TEST(CommandLine, AWrongCallIsOneSentenceAndExitCodeTwo) {
   static_cast<void>(place.write("s.json", kSmallScene));
   EXPECT_EQ(says("run s.json -o ''"),
             "rubatlas: the file for an atlas has an empty name; a path is wanted\n");
-  EXPECT_NE(says("verify a.h5 --recompute -1").find("--recompute: Value -1 not in range"), std::string::npos);
+  EXPECT_NE(says("verify a.h5 --recompute -1").find("--recompute: -1 is no whole number from 0 to"),
+            std::string::npos);
 }
 
 TEST(CommandLine, AWrongSceneIsOneSentenceAndExitCodeTwoBeforeAnyFile) {
