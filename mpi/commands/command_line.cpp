@@ -8,6 +8,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "mpi/exit_code.hpp"
 #include "mpi/version.hpp"

@@ -12,7 +12,7 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import AtlasError, printable, reading, sizes_of, text, values_of
+from rubatlas.atlas_file import AtlasError, printable, reading, sizes_of, swept_pointers, text, values_of
 
 # Marks of the kinds of events, as the file numbers them.
 MARKS = {1: ("fold", "s", style.GREEN), 2: ("period doubling", "D", style.VERMILION),
@@ -135,7 +135,7 @@ def draw_branch(branch, options):
 def draw(options):
     branch = BranchFile(options.source)
     figure, what = (draw_curve if "second_parameter" in branch else draw_branch)(branch, options)
-    style.title(figure, branch, ", ".join([what, *values_of(branch.attributes)]))
+    style.title(figure, branch, ", ".join([what, *values_of(branch.attributes, sorted(swept_pointers(branch.scene)))]))
     style.save(figure, options)
 
 
