@@ -49,11 +49,6 @@ Eigen::Vector4cd generalised_eigenvalues(const Eigen::Matrix4d& matrix, const Ei
   return shift + eigen_modes(shifted).values.array().inverse();
 }
 
-SymmetricModes symmetric_modes(const Eigen::Matrix4d& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
-  return {solver.eigenvalues(), solver.eigenvectors()};
-}
-
 OrthogonalFactors orthogonal_factors(const Eigen::MatrixXd& matrix) {
   const Eigen::HouseholderQR<Eigen::MatrixXd> factors(matrix);
   return {factors.householderQ(), factors.matrixQR().diagonal()};

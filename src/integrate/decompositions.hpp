@@ -16,7 +16,7 @@ struct EigenModes {
 EigenModes eigen_modes(const Eigen::MatrixXd& matrix);
 
 /// `matrix` = Q T Qᵀ: Q orthogonal, T triangular but for a block of two on its diagonal for each complex
-/// pair.
+/// pair. Of a symmetric matrix: eigenvalues on the diagonal, orthonormal shapes in the columns of Q.
 struct SchurForm {
   Eigen::MatrixXd vectors;  ///< Q
   Eigen::MatrixXd form;     ///< T
@@ -25,12 +25,6 @@ SchurForm schur_form(const Eigen::MatrixXd& matrix);
 
 /// λ with det(`matrix` − λ `other`) = 0; very large where `other` has no inverse.
 Eigen::Vector4cd generalised_eigenvalues(const Eigen::Matrix4d& matrix, const Eigen::Matrix4d& other);
-
-struct SymmetricModes {
-  Eigen::Vector4d values;  ///< ascending
-  Eigen::Matrix4d shapes;  ///< a column for each value, orthonormal
-};
-SymmetricModes symmetric_modes(const Eigen::Matrix4d& matrix);
 
 /// `matrix` = Q R: Q orthogonal and square, R triangular.
 struct OrthogonalFactors {

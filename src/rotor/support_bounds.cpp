@@ -102,18 +102,19 @@ SupportBounds::SupportBounds(const LinearSupport& support)
 }
 
 void SupportBounds::add_norm(const Matrix4d& weight, bool never_grows) {
-  const integrate::SymmetricModes axes = integrate::symmetric_modes(weight);
-  const double smallest = axes.values[0];
-  const double largest = axes.values[3];
+  const integrate::SchurForm axes = integrate::schur_form(weight);
+  const Eigen::Vector4d values = axes.form.diagonal();
+  const double smallest = values.minCoeff();
+  const double largest = values.maxCoeff();
   if (!(smallest > 0.0) || largest > kWorstCondition * kWorstCondition * smallest) return;
-  const Eigen::Vector4d roots = axes.values.cwiseSqrt();
-  const Matrix4d root = axes.shapes * roots.asDiagonal() * axes.shapes.transpose();
+  const Matrix4d shapes = axes.vectors;
+  const Eigen::Vector4d roots = values.cwiseSqrt();
+  const Matrix4d root = shapes * roots.asDiagonal() * shapes.transpose();
   double growth = 0.0;
   if (!never_grows) {
-    const Matrix4d seen =
-        root * system_ * (axes.shapes * roots.cwiseInverse().asDiagonal() * axes.shapes.transpose());
+    const Matrix4d seen = root * system_ * (shapes * roots.cwiseInverse().asDiagonal() * shapes.transpose());
     const Matrix4d symmetric = 0.5 * (seen + seen.transpose());
-    growth = integrate::symmetric_modes(symmetric).values[3];
+    growth = integrate::schur_form(symmetric).form.diagonal().maxCoeff();
     growth += 64.0 * kRounding * std::sqrt(largest / smallest) * system_.norm();
   }
   const double rounded_up = 1.0 + 64.0 * kRounding * largest / smallest;
