@@ -13,11 +13,15 @@ struct Differences {
   Eigen::MatrixXd jacobian;
   double error;
 };
-/// Of a map of vectors.
-Differences differences(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& map,
-                        const Eigen::VectorXd& start, double step);
+/// A map of vectors.
+using Map = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+Differences differences(const Map& map, const Eigen::VectorXd& start, double step);
 /// `step`: of the differences [m].
 Differences differences(point::LineSolver& solver, double speed_ratio, const motion::SectionState& start,
                         int revolutions, double step);
+
+double determinant(const Eigen::MatrixXd& matrix);
+/// By which factor a map changes volume at a point: the determinant of the same differences.
+double change_of_volume(const Map& map, const Eigen::VectorXd& start, double step);
 
 }  // namespace rubatlas::test
