@@ -93,6 +93,8 @@ void add_both_ways(const Findings& found, std::vector<std::string>& sentences) {
 std::vector<std::string> edge_sentences(const Findings& found) {
   std::vector<std::string> sentences;
   const auto& edges = found.edges->edges;
+  const std::string_view of_regions = found.edges->only_regions ? " of regions" : "";
+  if (edges.empty()) return {fmt::format("Edges: none; there are no borders{}.", of_regions)};
   const auto is_of_region = [](const Edge& edge) { return edge.region_begins > 0 || edge.region_ends > 0; };
   std::size_t points = 0;
   std::size_t borders = 0;
@@ -112,12 +114,10 @@ std::vector<std::string> edge_sentences(const Findings& found) {
   }
   add_both_ways(found, sentences);
   const auto& [sharp, slow, divided, overrun] = counts;
-  sentences.push_back(
-      fmt::format("Edges: {} at {} borders{}: {} sharp, within {:g}; {} where motions settle too slowly; {} "
-                  "that go on dividing; {} that "
-                  "depend on the steps of the sweep; {} points computed.",
-                  edges.size(), borders, found.edges->only_regions ? " of regions" : "", sharp,
-                  found.edges->resolution, slow, divided, overrun, points));
+  sentences.push_back(fmt::format(
+      "Edges: {} at {} borders{}: {} sharp, within {:g}; {} where motions settle too slowly; {} that go on "
+      "dividing; {} that depend on the steps of the sweep; {} points computed.",
+      edges.size(), borders, of_regions, sharp, found.edges->resolution, slow, divided, overrun, points));
   return sentences;
 }
 

@@ -162,7 +162,7 @@ class Leader {
 
   Standing finish() {
     standing_.seconds = seconds_since(began_);
-    progress_.finish(standing_);
+    if (!borders_.empty()) progress_.finish(standing_);
     return standing_;
   }
 

@@ -130,6 +130,9 @@ class Edges(EdgesTest):
     def test_a_line_without_borders_has_no_edges(self):
         atlas = self.fill(None, rotor({"from": 0.05, "to": 0.1, "count": 3}))
         self.assertEqual(len(self.rows(self.edges(2, atlas))["line"]), 0)
+        ended = self.execute(None, "edges", atlas, "-o", "again.h5")
+        self.assertEqual((ended.returncode, ended.stdout, ended.stderr),
+                         (0, "  Edges: none; there are no borders.\n", ""))
         self.assertEqual(self.execute(None, "analyse", atlas, "--edges", "edges.h5", "-o", "maps.h5").returncode, 0)
 
     def test_what_cannot_be_done_is_one_sentence(self):

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "scene_error_text.hpp"
+#include "settings/linearisation.hpp"
 #include "settings/scene_file.hpp"
 
 namespace rubatlas::settings {
@@ -325,8 +326,8 @@ TEST(SceneErrors, ExponentsAreRefusedWhereTheMotionHasNoLinearisedFlow) {
   EXPECT_EQ(
       refusal_with(R"("wear": {"rate": 1e-9}, "observables": ["lyapunov"])"),
       "/observables: \"lyapunov\" is not to be had; /wear: the motion under this effect has no linearised "
-      "flow here; it is known with /unbalance, /gravity, /side_load, /support, /ring_body, "
-      "/regularised_friction, /stribeck and /unequal_blades only");
+      "flow here; effects that have one: /unbalance, /gravity, /side_load, /support, "
+      "/unequal_blades, /regularised_friction, /stribeck, /ring_body");
   EXPECT_EQ(
       refusal_with(R"("contact": {"law": "elastic_ring"}, "ring_body": {"mass": 0.0},
                             "observables": ["lyapunov"])"),
@@ -336,6 +337,13 @@ TEST(SceneErrors, ExponentsAreRefusedWhereTheMotionHasNoLinearisedFlow) {
       refusal_with(R"("accuracy": {"method": "fixed"}, "observables": ["lyapunov"])"),
       "/observables: \"lyapunov\" is not to be had; /accuracy/method: its steps do not follow the path of "
       "a contact; a linearised flow needs \"collocation\", \"hybrid\", \"hybrid_54\" or \"hybrid_32\"");
+}
+
+TEST(SceneErrors, OrbitsFoundByShootingNameNoEffectThatShootingRefuses) {
+  const Scene scene = parse_scene(R"({"wear": {"rate": 1e-9}, "grid": {"speed_ratio": 0.5}})");
+  EXPECT_EQ(refusal_of_shooting(scene).value_or("accepted"),
+            "/wear: the motion under this effect has no linearised flow here; effects that have one: "
+            "/unbalance, /gravity, /side_load, /support, /regularised_friction, /stribeck");
 }
 
 TEST(SceneErrors, ObservablesThatTheRotorDoesNotHaveAreRefused) {
