@@ -83,8 +83,8 @@ if [ "$sanitized" = yes ]; then
   # Clang: a second compiler's opinion, in less than half of GCC's time under sanitizers.
   configure build-sanitize -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=$level" \
     -DRUBATLAS_SANITIZE=address,undefined -DRUBATLAS_ONLY_LINKED="$only_linked"
-  # It compiles while the tests below wait for events, and gives way to them wherever they do not.
-  nice -n 19 cmake --build build-sanitize --parallel "$(nproc)" --target "${sanitized_suites[@]/#/test_}" \
+  # It gives way to the tests below but goes on beside them: at their end its last files would wait for each other.
+  nice -n 5 cmake --build build-sanitize --parallel "$(nproc)" --target "${sanitized_suites[@]/#/test_}" \
     >build-sanitize/build.log 2>&1 &
   compiling=$!
 fi
