@@ -15,9 +15,9 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # What runs under sanitizers: suites whose sources allocate, index and parse by themselves, with two builds there alone.
-# What moves would take minutes more to compile for them: it does so in --full, and with two builds the standard
-# library checks its indices.
-there_alone=(settings plan atlas analysis)
+# What moves, and what is made of an atlas, would take minutes more to compile for them: it does so in --full, and with
+# two builds the standard library checks its indices.
+there_alone=(settings plan atlas)
 sanitized_suites=("${there_alone[@]}")
 level=-O0  # no time is spent in them
 only_linked='integrate;blade;trajectory;contact;rotor;variation'  # what moves: no suite of these calls it
@@ -38,7 +38,8 @@ case "$#,${1-}" in
     leave_out='no such label'
     level=-O1
     only_linked=''
-    sanitized_suites+=(assembly blade contact rotor integrate observables collocation point physics hard effects)
+    sanitized_suites+=(analysis assembly blade contact rotor integrate observables collocation point physics hard
+                       effects)
     systems=yes
     ;;
   1,--sanitize) plain=no sanitized=yes ;;
