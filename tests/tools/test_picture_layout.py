@@ -142,6 +142,9 @@ class Layout(unittest.TestCase):
                 with self.subTest(kind):
                     self.drawn(kind, self.expect_inside)
 
+    def test_no_title_is_cut_where_panels_move_as_it_is_broken(self):
+        self.drawn("accuracy", self.expect_column, "--width", "85mm")
+
     def test_a_title_keeps_its_words_when_its_lines_are_broken(self):
         figure = style.plt.figure(figsize=(3.0, 2.0), layout="constrained")
         figure.subplots()

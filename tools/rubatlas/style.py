@@ -163,19 +163,26 @@ def _place(made):
 def wrap_words(made):
     """Breaks the lines of titles and labels that would be cut; the picture becomes taller by the lines of titles.
     Everything then stays in its place: to find it again takes longer than to draw it."""
+    def break_titles(titles):
+        broken = 0
+        for text in titles:
+            more = _wrap(text, lambda text=text: text.get_window_extent().x1 - made.bbox.x1 + 4.0)
+            made.set_figheight(made.get_figheight() + 1.2 * more * text.get_fontsize() / 72.0)
+            broken += more
+        return broken
+
+    def break_labels():
+        broken = 0
+        for axes in made.axes:
+            room = axes.bbox.height + axes.yaxis.label.get_fontsize()  # it may reach half into the space between panels
+            broken += _wrap(axes.yaxis.label,
+                            lambda axes=axes, room=room: axes.yaxis.label.get_window_extent().height - room)
+        return broken
+
+    break_titles(text for text in (made._suptitle, made._supxlabel) if text is not None)  # wherever panels stand
     _place(made)
-    titles = [made._suptitle, made._supxlabel, *(axes._left_title for axes in made.axes)]
-    broken = 0
-    for text in [text for text in titles if text is not None]:
-        more = _wrap(text, lambda text=text: text.get_window_extent().x1 - made.bbox.x1 + 4.0)
-        made.set_figheight(made.get_figheight() + 1.2 * more * text.get_fontsize() / 72.0)
-        broken += more
-    for axes in made.axes:
-        room = axes.bbox.height + axes.yaxis.label.get_fontsize()  # it may reach half into the space between panels
-        broken += _wrap(axes.yaxis.label,
-                        lambda axes=axes, room=room: axes.yaxis.label.get_window_extent().height - room)
-    if broken:
-        _place(made)
+    while break_titles(axes._left_title for axes in made.axes) + break_labels():
+        _place(made)  # panels may have moved
     with plt.rc_context({"figure.constrained_layout.use": False}):
         made.set_layout_engine(None)  # with the engine "none" a figure is drawn twice to be saved
 
