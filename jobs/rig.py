@@ -318,6 +318,7 @@ def measured(options):
 
 
 def main():
+    command_line.end_with_the_reader()
     arguments = command_line.Arguments(__doc__)
     arguments.add_argument("what", choices=("unknowns", "measured"))
     arguments.add_argument("--scene", type=pathlib.Path, help="in place of rig_unknowns.json, rig_measured.json")

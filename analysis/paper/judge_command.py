@@ -123,6 +123,7 @@ def _require_own(path: pathlib.Path, start: str) -> None:
 
 
 def main() -> None:
+    command_line.end_with_the_reader()
     arguments = command_line.Arguments(__doc__ or "")
     arguments.add_argument("files", nargs="+", metavar="ATLAS.h5", help="atlases, each with its maps behind it")
     arguments.add_argument("--short", action="store_true", help="one line for each statement, as Markdown")

@@ -166,6 +166,7 @@ def draw(options: argparse.Namespace) -> None:
 
 
 def main() -> None:
+    command_line.end_with_the_reader()
     arguments = command_line.parser(__doc__, source="FILE.json", line=False)
     arguments.add_argument("more", nargs="*", metavar="FILE.json")
     arguments.add_argument("--statements", default=FIG_4, help="which, separated by commas")

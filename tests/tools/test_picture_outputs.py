@@ -1,6 +1,8 @@
 """What a picture may be called, and what it may replace."""
 import os
 import pathlib
+import signal
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -44,6 +46,17 @@ class ToolsOutputs(unittest.TestCase):
         ended = ended_command("rubatlas-report", TINY / "atlas.h5", "--orbits", "few")
         self.assertEqual((ended.returncode, ended.stderr),
                          (2, "rubatlas-report: argument --orbits: few is no whole number\n"))
+
+    def test_a_command_whose_output_nobody_reads_ends_without_a_word(self):
+        for command, *arguments in (("rubatlas-plot", "--help"), ("rubatlas-plot", "map", "--help"),
+                                    ("rubatlas-plot", "accuracy", TINY / "accuracy.h5", "-o", self.folder),
+                                    ("rubatlas-report", "--help")):
+            reader, writer = os.pipe()
+            os.close(reader)
+            ended = subprocess.run([ROOT / "tools" / command, *arguments], stdout=writer, stderr=subprocess.PIPE,
+                                   text=True, check=False)
+            os.close(writer)
+            self.assertEqual((ended.returncode, ended.stderr), (-signal.SIGPIPE, ""))
 
     def test_a_damaged_atlas_is_no_mistake_of_the_call(self):
         whole = (TINY / "atlas.h5").read_bytes()

@@ -6,6 +6,7 @@ import math
 import os
 import pathlib
 import re
+import signal
 import sys
 import tempfile
 
@@ -196,6 +197,11 @@ def write_picture(figure, options):
 
 
 # --- how a command ends ---
+
+def end_with_the_reader():
+    """Where nobody reads any more what a command prints, as `| head` does not, it ends without a word."""
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+
 
 def end_on_mistakes(work):
     """Runs `work`; a mistake is a sentence on stderr and exit code 2, a damaged file or a refusal by the system 3,

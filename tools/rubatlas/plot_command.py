@@ -4,6 +4,7 @@ import sys
 
 import matplotlib
 
+from rubatlas.command_line import end_with_the_reader
 from rubatlas.plots import KINDS
 
 
@@ -16,6 +17,7 @@ def usage():
 
 def main():
     """Draws what the command line asks for; exit code 2 for a wrong call, 3 where the disk refuses."""
+    end_with_the_reader()
     kind = sys.argv[1] if len(sys.argv) > 1 else None
     if kind in ("--help", "-h"):
         print(usage())

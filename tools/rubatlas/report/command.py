@@ -98,6 +98,7 @@ def orbit_count(word):
 
 def main():
     """The command `rubatlas-report`."""
+    command_line.end_with_the_reader()
     parser = command_line.Arguments(__doc__, prog="rubatlas-report")
     parser.add_argument("source", metavar="ATLAS.h5")
     parser.add_argument("-o", "--output", metavar="REPORT.html", help="default: ATLAS.html in the present folder")
