@@ -67,6 +67,17 @@ class ToolsOutputs(unittest.TestCase):
             self.assertEqual((ended.returncode, ended.stderr.count("\n")), (3, 1), ended.stderr)
             self.assertIn("damaged", ended.stderr)
 
+    def test_a_scene_or_maps_in_place_of_an_atlas_are_a_mistake_of_the_call(self):
+        scene = ROOT / "tests/tools/tiny.json"
+        output, wanted = self.folder / "a.png", f"{scene}: a text in braces, such as a scene, where atlas or maps is"
+        self.expect_refusal(output, wanted, source=scene)
+        self.expect_refusal(output, wanted, "map", arguments=["--maps", scene])
+        self.expect_refusal(output, "such as a scene, where orbit is wanted", "orbit", scene)
+        self.expect_refusal(self.folder / "all", "no /status; these are the maps of an atlas", "all", TINY / "maps.h5")
+        ended = ended_command("rubatlas-report", scene, "-o", self.folder / "a.html")
+        self.assertEqual((ended.returncode, ended.stderr), (2, f"rubatlas-report: {wanted} wanted\n"))
+        self.assertEqual(list(self.folder.iterdir()), [])
+
     def test_an_unknown_ending_is_refused(self):
         for name in ("a.jpeg", "a", "a.h5"):
             self.expect_refusal(self.folder / name, "a picture ends in .png, .pdf, .svg")

@@ -129,6 +129,9 @@ def reading(path, what, *kinds):
     if not os.path.isfile(path):
         raise AtlasError(f"{path}: not a file")
     try:
+        with open(path, "rb") as content:
+            if content.read(1) == b"{":
+                raise AtlasError(f"{path}: a text in braces, such as a scene, where {' or '.join(kinds)} is wanted")
         with h5py.File(path, "r") as file:
             kind = text(file.attrs.get("kind", kinds[0]))  # older files do not say it
             if kind not in kinds:

@@ -43,6 +43,7 @@ def is_drawn(kind, arguments):
 
 def draw(options):
     with command_line.atlas_with_maps(options) as (atlas, maps):
+        atlas.dataset("status")  # maps have none
         found = pictures(atlas, maps)
         with_maps = ["--maps", str(maps.path)] if maps else []
     if options.output.is_file():
