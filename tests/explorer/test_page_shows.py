@@ -30,6 +30,15 @@ class PageShows(ExplorerTest):
         self.assertEqual(self.browser.dataset("computer"), "there")
         self.assertEqual(self.browser.text("h1"), "Tiny atlas")
 
+    def test_one_thing_is_counted_as_one(self):
+        atlas = run(self.folder, "one", {
+            "grid": {"speed_ratio": [0.3]}, "blades": {"count": 1}, "observables": ["poincare"],
+            "protocol": {"transient_revolutions": 1, "sampled_revolutions": 1}})
+        self.open(report=made(self.folder / "one.html", atlas, "--without-solver", "--orbits", "1", solver=False))
+        self.assertEqual(self.browser.text("#summary"), "1 point · law elastica, 1 blade")
+        self.assertIn("computed those of 1 point from", self.browser.text("#not-computed"))
+        self.assertIn("1 revolution of transient, 1 sampled", self.browser.text("#tables"))
+
     def test_the_title_of_a_scene_cannot_inject_markup(self):
         atlas = run(self.folder, "hostile",
                     {"title": HOSTILE, "reference": HOSTILE, "grid": {"speed_ratio": [0.3, 0.6]},

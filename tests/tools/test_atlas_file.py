@@ -12,10 +12,13 @@ import numpy as np
 ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 TINY = pathlib.Path(os.environ["RUBATLAS_PROGRAM"]).parent / "tests/tiny_atlas"
 sys.path.insert(0, str(ROOT / "tools"))
-from rubatlas.atlas_file import AtlasError, AtlasFile  # noqa: E402
+from rubatlas.atlas_file import AtlasError, AtlasFile, counted  # noqa: E402
 
 
 class ToolsAtlasFile(unittest.TestCase):
+    def test_one_thing_is_counted_as_one(self):
+        self.assertEqual([counted(number, "points") for number in (0, 1, 2)], ["0 points", "1 point", "2 points"])
+
     def test_a_line_is_picked_by_its_values(self):
         with AtlasFile(TINY / "atlas.h5") as atlas, h5py.File(TINY / "atlas.h5") as file:
             line = atlas.line(damping_ratio=0.2)

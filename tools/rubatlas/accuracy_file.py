@@ -6,7 +6,8 @@ import json
 
 import numpy as np
 
-from rubatlas.atlas_file import DONE, AtlasError, clearance_of, printable, reading, swept_pointers, text, with_values
+from rubatlas.atlas_file import (DONE, AtlasError, clearance_of, counted, printable, reading, swept_pointers, text,
+                                 with_values)
 
 # Parameters of a reference case, and where a resolved scene states them.
 PARAMETERS = {"R": "/ring/radius", "L": "/blades/length", "rh": "/blades/hub_radius", "m": "/rotor/mass",
@@ -77,8 +78,9 @@ class AccuracyFile:
 
     def describe(self):
         protocol = self.scene["protocol"]
-        return (f"{self.point_count()} points, {protocol['transient_revolutions']} + {protocol['sampled_revolutions']} "
-                f"revolutions each, least of {self.repeats} run{'s' if self.repeats > 1 else ''}")
+        revolutions = f"{protocol['transient_revolutions']} + {protocol['sampled_revolutions']} revolutions"
+        return (f"{counted(self.point_count(), 'points')}, {revolutions} each, least of "
+                f"{counted(self.repeats, 'runs')}")
 
     def mean(self, name, points):
         """Mean over some points, one number per setting; a run that ended early counts with its cost up to there."""

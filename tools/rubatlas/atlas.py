@@ -20,8 +20,8 @@ import numpy as np
 import xarray
 
 from rubatlas import query
-from rubatlas.atlas_file import (DIRECTIONS, DONE, EDGES, SOMETIMES, AtlasError, AtlasFile, beside, number_of, reading,
-                                 same_value, sizes_of, swept_pointers, text, with_values, words_of)
+from rubatlas.atlas_file import (DIRECTIONS, DONE, EDGES, SOMETIMES, AtlasError, AtlasFile, beside, counted, number_of,
+                                 reading, same_value, sizes_of, swept_pointers, text, with_values, words_of)
 from rubatlas.judgement import MAY_NOT_OCCUR, Judgement, bands_of
 from rubatlas.plots.axes import Plots
 from rubatlas.plots.orbit import OrbitFile
@@ -139,7 +139,8 @@ class Atlas:
 
     def __repr__(self) -> str:
         grid = ", ".join(f"{name} {self._raw[name].size}" for name in self.axes if name in self._raw.dims)
-        return f"<Atlas {self.path}: {len(self)} points of {grid or 'one'}; {', '.join(map(str, self._raw.data_vars))}>"
+        names = ", ".join(map(str, self._raw.data_vars))
+        return f"<Atlas {self.path}: {counted(len(self), 'points')} of {grid or 'one'}; {names}>"
 
     def _repr_html_(self) -> str:
         return f"<p>{html.escape(repr(self))}</p>{self.dataset._repr_html_()}"
@@ -259,8 +260,8 @@ class Atlas:
             try:
                 found[axis] = np.arange(count)[place]
             except (IndexError, TypeError, ValueError):
-                raise AtlasError(f"{axis}: {place!r} is no place on an axis of {count} values, counted from "
-                                 "0") from None
+                raise AtlasError(f"{axis}: {place!r} is no place on an axis of {counted(count, 'values')}, "
+                                 "counted from 0") from None
         return self._at({axis: place for axis, place in found.items() if axis not in self.picked})
 
     def _at(self, places: Mapping[str, Any]) -> Atlas:

@@ -110,6 +110,11 @@ def text(value):
     return value.decode() if isinstance(value, bytes) else str(value)
 
 
+def counted(number, things):
+    """A number of things, in words: "1 point", "2 points"."""
+    return f"{number} {things.removesuffix('s') if number == 1 else things}"
+
+
 def printable(value):
     """A text without the control characters that would steer a terminal."""
     return re.sub("[\x00-\x1f\x7f-\x9f]", "", text(value))

@@ -1,7 +1,7 @@
 """Whether two files are of the same scene. Every tool that draws two files together checks this first."""
 import numpy as np
 
-from rubatlas.atlas_file import EDGES, PENDING, AtlasError, reading
+from rubatlas.atlas_file import EDGES, PENDING, AtlasError, counted, reading
 
 # Keys that do not influence the motions of an atlas.
 WORDS = ("title", "reference", "creator", "license")
@@ -52,8 +52,8 @@ def require_finished(atlas, path, attributes, made_by):
     finished = np.count_nonzero(atlas.dataset("status")[...] != PENDING)
     known = attributes.get("points_finished", finished)  # what lacks it is another kind of file
     if finished != known:
-        raise AtlasError(f"{atlas.path} has {finished} points finished, and {path} was made of {known}: `{made_by} -o "
-                         f"{path} --overwrite` makes it anew")
+        raise AtlasError(f"{atlas.path} has {counted(finished, 'points')} finished, and {path} was made of {known}: "
+                         f"`{made_by} -o {path} --overwrite` makes it anew")
 
 
 def require_maps_of(atlas, maps):

@@ -16,7 +16,7 @@ from matplotlib.ticker import LogFormatter, NullLocator
 from rubatlas import command_line
 from rubatlas import style
 from rubatlas.accuracy_file import AccuracyFile
-from rubatlas.atlas_file import AtlasError
+from rubatlas.atlas_file import AtlasError, counted
 from rubatlas.same_scene import require_same_machine
 
 # A colour and a mark for each method, so that either distinguishes the lines.
@@ -73,7 +73,7 @@ def draw_trajectories(study, options):
                           color=style.INK, zorder=5)
             axes.set_xscale("log")
             axes.set_yscale("log")
-        style.label_row(options, row, f"{np.count_nonzero(points)} points {words}")
+        style.label_row(options, row, f"{counted(np.count_nonzero(points), 'points')} {words}")
         plain_numbers(row[0].xaxis)
     panels[-1][0].set_xlabel("CPU time of a point [ms]")
     panels[-1][1].set_xlabel("Right-hand sides of a point [-]")

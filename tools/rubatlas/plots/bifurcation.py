@@ -12,7 +12,7 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import AtlasError
+from rubatlas.atlas_file import AtlasError, counted
 from rubatlas.plots.map import class_cells_of, place_of
 
 
@@ -52,8 +52,8 @@ def zoom_into(panel, line, maps, zoom, name):
     speed = atlas.axis("speed_ratio")
     shown = (speed >= zoom[0]) & (speed <= zoom[1])
     if shown.sum() < 2:
-        raise AtlasError(f"--zoom {zoom[0]:g}:{zoom[1]:g}: {atlas.path} has {shown.sum()} speeds there, and its speeds "
-                         f"go from {speed[0]:g} to {speed[-1]:g}")
+        raise AtlasError(f"--zoom {zoom[0]:g}:{zoom[1]:g}: {atlas.path} has {counted(shown.sum(), 'speeds')} there, "
+                         f"and its speeds go from {speed[0]:g} to {speed[-1]:g}")
     into(panel, line, "y", name, shown, markersize=2.0)
     panel.set_xlim(zoom)
     if maps is None:

@@ -13,7 +13,7 @@ import os
 import pathlib
 
 from rubatlas import command_line
-from rubatlas.atlas_file import AtlasError, AtlasFile, beside
+from rubatlas.atlas_file import AtlasError, AtlasFile, beside, counted
 
 from rubatlas.report.contents import ORBITS, contents
 from rubatlas.report.page import GENERATOR, page
@@ -80,9 +80,9 @@ def make(options):
     command_line.write_complete(pathlib.Path(options.output), content.encode("utf-8"))
     said = f"{options.output}: {len(content.encode()) / 1e6:.1f} MB, "
     kept = result["lines"]["poincare"]
-    said += f"{kept['sections']} of {kept['of']} sections a point" if kept else "without sections"
+    said += f"{kept['sections']} of {counted(kept['of'], 'sections')} a point" if kept else "without sections"
     if result["orbits"] or result["not_computed"]:
-        said += f", {len(result['orbits'])} orbits"
+        said += f", {counted(len(result['orbits']), 'orbits')}"
     if result["not_computed"]:
         said += f". {result['not_computed']}"
     if result["no_orbits"]:

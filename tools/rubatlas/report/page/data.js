@@ -95,6 +95,8 @@ function withUnits(value, units, significant) {
 const isUnit = (units) => units && units !== '-' && units !== '1';
 /// The name of a column or a value in a file: SI units, as in the atlas.
 const column = (name, units) => (isUnit(units) ? `${name} [${units}]` : name);
+/// A number of things: "1 point", "2 points".
+const counted = (number, things) => `${shown(number, 9)} ${number === 1 ? things.replace(/s$/, '') : things}`;
 const words = (name) => name.replace(/_/g, ' ');
 const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 function labelOf(axis) {

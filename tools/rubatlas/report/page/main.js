@@ -202,10 +202,10 @@ function tell(answer, wanted, own, waited) {
   const start = !startsFromCell() ? 'from the scene’s initial state' : own ? 'from the motion of the selected cell'
     : 'from the state that the atlas stores';
   const transient = wanted.transient_revolutions
-    ? `, after up to ${wanted.transient_revolutions} revolutions of transient`
+    ? `, after up to ${counted(wanted.transient_revolutions, 'revolutions')} of transient`
     : '';
   byId('own-status').textContent = orbit.status === 1
-    ? `Computed in this page ${start}${transient}: ${view.result.sections.length / 4} sections.`
+    ? `Computed in this page ${start}${transient}: ${counted(view.result.sections.length / 4, 'sections')}.`
     : `Computed in this page ${start}: no motion, ${orbit.ending}.`;
 }
 /// Goes on from where the last answer ended, and adds its sections.
@@ -223,7 +223,8 @@ async function more() {
     sections.set(before.sections);
     sections.set(answer.orbit.sections, before.sections.length);
     view.showComputed({...answer, wanted, about: before.about, sections});
-    byId('own-status').textContent = answer.orbit.status === 1 ? `Continued: ${sections.length / 4} sections.`
+    byId('own-status').textContent = answer.orbit.status === 1
+      ? `Continued: ${counted(sections.length / 4, 'sections')}.`
       : `Continued: ${answer.orbit.ending}.`;
   } catch (error) {
     byId('own-status').textContent = `Not computed: ${error.message}.`;
@@ -442,8 +443,9 @@ async function open() {
   const swept = axes.filter((axis) => axis.values.length > 1)
     .map((axis) => `${shown(axis.values.length, 7)} × ${words(axis.name)}${axis.symbol ? ` ${axis.symbol}` : ''}`);
   const {contact, blades} = atlas.scene;
-  const counted = pointCount === 1 ? '1 point' : `${shown(pointCount, 9)} points: ${swept.join(', ')}`;
-  byId('summary').textContent = `${counted} · law ${contact.law}, ${blades.count} blades`;
+  const grid = pointCount === 1 ? '' : `: ${swept.join(', ')}`;
+  byId('summary').textContent =
+    `${counted(pointCount, 'points')}${grid} · law ${contact.law}, ${counted(blades.count, 'blades')}`;
   await openMaps();
   firstState();
   readAddress();

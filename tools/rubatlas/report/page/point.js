@@ -93,8 +93,8 @@ class Computer {
     return [this.why,
       moves && drawn.length && `The moving rotor is drawn with ${drawn.join(' and ')}.`,
       this.why && (count
-        ? `What is shown comes from the atlas, and orbits from the program, which computed those of ${count} points ` +
-          "from the atlas' states when this page was made."
+        ? 'What is shown comes from the atlas, and orbits from the program, which computed those of ' +
+          `${counted(count, 'points')} from the atlas' states when this page was made.`
         : 'Everything shown comes from the atlas.')].filter(Boolean).join(' ');
   }
   /// The orbit of a point, and its spectrum up to an order.
@@ -367,7 +367,7 @@ class PointView {
       layers.push({kind: 'dots', ...dots, colour, size});
       legend.push({mark: 'dots', colour, word});
     };
-    if (own) add(own, strong(), 5, `${own.x.length} sections of the atlas`);
+    if (own) add(own, strong(), 5, `${counted(own.x.length, 'sections')} of the atlas`);
     if (computed) add(computed, VERMILION, 3, `${computed.x.length} computed here`);
     const {chart, badge} = this.charts.poincare;
     const x = layers.flatMap((layer) => [layer.x]), y = layers.flatMap((layer) => [layer.y]);
@@ -444,7 +444,8 @@ class PointView {
     if (orbit) {
       const clearance = 1e3 * (wanted.ring_radius - wanted.hub_radius - wanted.blade_length);
       layers.push({kind: 'line', x, y, colour: strong(), width: 1});
-      legend.push({mark: 'line', colour: strong(), word: `shaft, ${orbit.time.length / orbit.samples} revolutions`});
+      const revolutions = counted(orbit.time.length / orbit.samples, 'revolutions');
+      legend.push({mark: 'line', colour: strong(), word: `shaft, ${revolutions}`});
       if (clearance > 0) {
         const dash = [5, 4];
         layers.push({kind: 'circle', x: 0, y: -1e3 * wanted.misalignment, radius: clearance, colour: ink(), width: 1.2,

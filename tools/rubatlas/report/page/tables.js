@@ -74,7 +74,8 @@ function accuracy() {
     : 'none: the atlas has none, or they do not fit into this file';
   return [facts([
     ['Method', `${how?.method}, local error per step ${shown(how?.tolerance, 3)} of the clearance`],
-    ['Protocol', `${protocol.transient_revolutions} revolutions of transient, ${protocol.sampled_revolutions} sampled`],
+    ['Protocol', `${counted(protocol.transient_revolutions, 'revolutions')} of transient, ` +
+      `${protocol.sampled_revolutions} sampled`],
     ['Points', points.join(', ')], ['Sections here', sections],
     ['Computed here', atlas.not_computed || 'by the program’s own solver, compiled to WebAssembly: method ' +
       'collocation, local error per step 1e-11 of the clearance']])];
