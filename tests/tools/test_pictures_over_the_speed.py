@@ -68,6 +68,17 @@ class PicturesOverTheSpeed(PicturesCase):
         self.assertEqual(waterfall.order_names(1), {1: "1× = n", 2: "2× = 2n", 3: "3×"})
         self.assertEqual(waterfall.order_names(5), {1: "1×", 2: "2×", 3: "3×", 5: "5× = n", 10: "10× = 2n"})
 
+    def test_a_waterfall_names_as_many_orders_as_fit_without_overprinting(self):
+        waterfall = importlib.import_module("rubatlas.plots.waterfall")
+        for blades, top, names in ((3, 4.0, ["1×", "2×", "3× = n", "6× = 2n"]),
+                                   (50, 60.0, ["1×", "50× = n", "100× = 2n"]),  # 2× and 3× are as good as at 1×
+                                   (400, 4.0, ["1×", "2×", "3×", "400× = n"])):  # and 2n at n, on the right
+            figure, panel = plt.subplots()
+            panel.set(xlim=(0.0, top), ylim=(0.0, 1.0))
+            waterfall.mark_orders(panel, top, blades)
+            self.assertEqual([text.get_text() for text in panel.texts], names)
+            plt.close(figure)
+
     def test_speeds_without_a_motion_are_shaded_behind_the_displacement(self):
         figure = Figure("displacement", TINY / "atlas.h5")
         self.assertIn("left the model's validity", figure.texts())

@@ -43,9 +43,28 @@ def order_names(blades):
     return dict(sorted(names.items()))
 
 
-def mark_orders(panel, top, blades):
-    """Ticks outside the panel where the lines of the orders enter below and leave above or on the right."""
+def named_orders(panel, top, blades):
+    """The orders whose names do not cover each other; that of 1x and those of the blade passings come first."""
     low, high = panel.get_ylim()
+    # In points, about: a colour bar and labels leave the panel four fifths of its place.
+    letter, (width, height) = style.plt.rcParams["font.size"], 0.8 * 72.0 / panel.figure.dpi * panel.bbox.size
+    taken: list[tuple[bool, float, float]] = []
+    named = []
+    for order, name in sorted(order_names(blades).items(), key=lambda item: item[0] not in (1, blades, 2 * blades)):
+        above = order * high <= top
+        middle = width * order * high / top if above else height * (top / order - low) / (high - low)
+        half = letter * (0.35 * len(name) if above else 0.7)
+        if all(side != above or abs(middle - other) >= half + room for side, other, room in taken):
+            taken.append((above, middle, half))
+            named.append(order)
+    return named
+
+
+def mark_orders(panel, top, blades):
+    """Ticks outside the panel where the lines of the orders enter below and leave above or on the right, with as many
+    of their names as fit."""
+    low, high = panel.get_ylim()
+    named = named_orders(panel, top, blades)
     for order, name in order_names(blades).items():
         blade_passing = order in (blades, 2 * blades)
         look: dict[str, Any] = dict(color=style.VERMILION if blade_passing else style.INK, clip_on=False, ms=7.0,
@@ -58,6 +77,8 @@ def mark_orders(panel, top, blades):
             continue
         marker = style.matplotlib.markers.TICKUP if above else style.matplotlib.markers.TICKRIGHT
         panel.plot([place[0]], [place[1]], marker=marker, **look)
+        if order not in named:
+            continue
         panel.annotate(name, place, xytext=(0, 9) if above else (9, 0), textcoords="offset points", fontsize="medium",
                        ha="center" if above else "left", va="bottom" if above else "center", color=look["color"],
                        annotation_clip=False)
