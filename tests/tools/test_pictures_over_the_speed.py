@@ -50,6 +50,20 @@ class PicturesOverTheSpeed(PicturesCase):
         self.assertEqual(ended.returncode, 2)
         self.assertIn("it has no /signature; `rubatlas analyse` writes it for lines from one initial", ended.stderr)
 
+    def test_a_panel_of_signs_that_has_nothing_to_show_says_so(self):
+        with tempfile.TemporaryDirectory() as folder:
+            atlas, maps = (shutil.copy(TINY / name, folder) for name in ("atlas.h5", "maps.h5"))
+            self.assertEqual([len(panel.texts) for panel in Figure("signature", atlas, "--maps", maps).figure.axes],
+                             [0, 0, 0])
+            with h5py.File(atlas, "r+") as file:
+                for name in ("spectrum", "max_displacement"):
+                    file[name][...] = 0.0
+            with h5py.File(maps) as file:
+                least = f"{file['signature/limit'][0]:g} mm"  # a thousandth of it, in metres
+            panels = Figure("signature", atlas, "--maps", maps).figure.axes
+            self.assertEqual([panel.texts[0].get_text() for panel in panels],
+                             [f"below {number} at all speeds" for number in (least, "0.001", least)])
+
     def test_the_waterfall_marks_the_orders_of_the_blade_passings_beside_the_data(self):
         panel = Figure("waterfall", TINY / "atlas.h5").figure.axes[0]
         names = [text.get_text() for text in panel.texts]

@@ -291,6 +291,14 @@ def curve(panel, x, values, **look):
     panel.plot(x, values, **{"lw": 0.9, "ms": 3.5, "marker": "." if alone.any() else None, "markevery": alone, **look})
 
 
+def say_if_below(panel, values, least, units=""):
+    """Says in a panel that shows nothing, since all values are below the least that can be seen, that they are."""
+    known = np.asarray(values)[np.isfinite(values)]
+    if known.size and known.max() < least:
+        panel.annotate(f"below {least:g}{units} at all speeds", (0.5, 0.5), xycoords="axes fraction", ha="center",
+                       va="center", color=QUIET)
+
+
 def missing_cells(status):
     """Which points have no motion, and the entry of the palette that says why."""
     return [(entry, status == entry["status"]) for entry in PALETTE["no_motion"]]

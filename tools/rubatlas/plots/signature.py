@@ -16,6 +16,9 @@ from rubatlas.same_scene import require_maps_of
 from rubatlas.signature import signature
 
 
+LEAST = 1e-3  # that can be seen: of the limit, and of the power
+
+
 def found_of(maps, line):
     """What the maps say of a line: the columns of their table /signature at its row."""
     if "signature" not in maps:
@@ -32,7 +35,11 @@ def into(panels, line, found):
     atlas, blades = line.atlas, line.scene["blades"]["count"]
     speed, (units, factor) = atlas.axis("speed_ratio"), style.drawn(atlas.units("spectrum"))
     measured = signature(atlas.axis("order"), line.rows("spectrum"), blades)
-    floor = 1e-3 * factor * found["limit"]
+    floor = LEAST * factor * found["limit"]
+    lines = np.array([measured.passing, measured.broad, measured.subharmonic])
+    style.say_if_below(heights, factor * lines, floor, f" {units}")
+    style.say_if_below(share, measured.between_share, LEAST)
+    style.say_if_below(displacement, factor * line.rows("max_displacement"), floor, f" {units}")
     for values, name, colour in ((measured.passing, f"{blades}× line", style.VERMILION),
                                  (measured.broad, "broad band", style.SKY),
                                  (measured.subharmonic, "highest line between the whole orders", style.INK)):
