@@ -63,6 +63,14 @@ class PicturesOfMotions(PicturesCase):
         self.assertIn("clearance 9.5 mm", Figure("orbit", TINY / "rings_orbit.h5").texts())
         self.assertIn("ring radius 0.1095", Figure("orbit", TINY / "rings_orbit.h5").texts())
 
+    def test_a_branch_has_the_unit_of_the_quantity_that_varies(self):
+        path = self.folder / "branch.h5"
+        command = [os.environ["RUBATLAS_PROGRAM"], "branch", ROOT / "tests/tools/rings.json", "-o", path, "--overwrite",
+                   "--from", "speed_ratio=0.6,ring_radius=0.11,damping_ratio=0.2", "--points", "3"]
+        for along, to, label in (("/ring/radius", "0.1", "Radius [m]"), ("speed_ratio", "0.7", "Speed ratio Ω [-]")):
+            subprocess.run([*command, "--along", along, "--to", to], check=True, capture_output=True)
+            self.assertEqual(Figure("branch", path).figure.axes[1].get_xlabel(), label)
+
     def test_several_orbits_have_a_panel_each_with_sections_clearance_and_middle_of_the_ring(self):
         figure = Figure("orbit", TINY / "orbit.h5", self.folder / "other.h5").figure
         *planes, bottom = figure.axes

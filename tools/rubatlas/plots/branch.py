@@ -12,7 +12,7 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import AtlasError, printable, reading, sizes_of, swept_pointers, text, values_of
+from rubatlas.atlas_file import SYMBOL, AtlasError, printable, reading, sizes_of, swept_pointers, text, values_of
 
 # Marks of the kinds of events, as the file numbers them.
 MARKS = {1: ("fold", "s", style.GREEN), 2: ("period doubling", "D", style.VERMILION),
@@ -32,6 +32,8 @@ class BranchFile:
             names: list[str] = []
             file.visit(names.append)
             self.data = {name: file[name][()] for name in names if hasattr(file[name], "dtype")}
+            self.units = {which: text(file[name].attrs["units"]) for which, name in
+                          (("along", "parameter"), ("in", "second_parameter")) if name in file}
 
     def __contains__(self, name):
         return name in self.data
@@ -45,6 +47,12 @@ class BranchFile:
     def name_of(self, which):
         """The quantity that the attribute `along` or `in` points to."""
         return self.attribute(which).rsplit("/", 1)[-1].replace("_", " ")
+
+    def label(self, which):
+        """The same as the label of an axis, with its symbol and its unit."""
+        name, units = self.name_of(which), self.units[which]
+        words = f"{name} {SYMBOL.get(name.replace(' ', '_'), '')}".strip()
+        return f"{words[:1].upper()}{words[1:]} [{'-' if units == '1' else units}]"
 
 
 def colour_of(which):
@@ -64,8 +72,8 @@ def size_of(orbits):
 def draw_curve(branch, options):
     _, ((panel,),) = style.subplots(options, 1, 1, (9.0, 6.0))
     panel.plot(branch["second_parameter"], branch["parameter"], color=style.BLUE)
-    panel.set_xlabel(branch.name_of("in"))
-    panel.set_ylabel(branch.name_of("along"))
+    panel.set_xlabel(branch.label("in"))
+    panel.set_ylabel(branch.label("along"))
     return panel.figure, f"curve of {branch.attribute('curve').replace('_', ' ')}"
 
 
@@ -123,7 +131,7 @@ def draw_branch(branch, options):
     lower.set_yscale("log")
     upper.set_ylabel("Section's distance [mm]")
     lower.set_ylabel("Largest multiplier")
-    lower.set_xlabel(branch.name_of("along"))
+    lower.set_xlabel(branch.label("along"))
     if branch.name_of("along") == "speed ratio":
         style.rpm_axis(upper, sizes_of(branch.scene))
     style.legend(lower if style.is_narrow(options) else upper, options,
