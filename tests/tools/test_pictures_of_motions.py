@@ -114,6 +114,13 @@ class PicturesOfMotions(PicturesCase):
             left, right, bottom, top = panel.images[0].get_extent()
             np.testing.assert_allclose([left, right, bottom, top], [-0.5, 6.5, 3.25, 10.75])  # mm, half a step around
 
+    def test_panels_of_basins_have_their_speed_above_them(self):
+        for chosen, names in (([], ["Ω = 0.3", "Ω = 0.438"]), (["--at", "speed_ratio=0.438"], ["Ω = 0.438"])):
+            panels = Figure("basins", TINY / "basins.h5", "--maps", TINY / "basins_maps.h5", *chosen).figure.axes
+            for panel, name in zip(panels, names, strict=True):
+                self.assertTrue(panel.get_title(loc="left").endswith(name))
+                self.assertEqual(panel.get_legend().get_title().get_text(), "")
+
     def test_attractors_of_one_colour_have_hatchings_of_their_own(self):
         basins = importlib.import_module("rubatlas.plots.basins")
         attractor, motion = np.array([[1, 2], [3, 4]]), np.array([[7, 7], [1, 9]])

@@ -67,7 +67,7 @@ def draw(options):
                                      ((atlas, "status"), (maps, "class"), (maps, "attractor")))
 
         over_speed = horizontal == "speed_ratio"
-        panels: list[tuple[Any, str | None]] = [(slice(None), None)] if over_speed else \
+        panels: list[tuple[Any, str]] = [(slice(None), "")] if over_speed else \
             [((slice(None), slice(None), place), f"Ω = {speed[place]:g}") for place in places]
         columns = min(3, len(panels))
         rows = -(-len(panels) // columns)
@@ -80,12 +80,14 @@ def draw(options):
             panel.set_xlabel(style.label(atlas, horizontal))
             panel.set_ylabel(style.label(atlas, vertical))
             panel.label_outer()
-            # The name stands with the legend, since the picture's second line takes the place of a title.
-            style.legend(panel, options, handles, "below", title=name)
+            panel.set_title(name)
+            style.legend(panel, options, handles, "below")
         for panel in grid.flat[len(panels):]:
             panel.set_axis_off()
         shown = "" if over_speed or len(places) in (1, len(speed)) else f"; {len(places)} of {len(speed)} speeds"
-        style.title(figure, atlas, line.describe(without=starts if over_speed else free) + shown)
+        words = line.describe(without=starts if over_speed else free) + shown
+        first = panels[0][1]
+        style.title(figure, atlas, f"{words}\n\n{first}" if len(panels) > 1 else f"{words}, {first}".rstrip(", "))
         style.save(figure, options)
 
 
