@@ -116,6 +116,10 @@ class AtlasCommands(WithFolder):
             rubatlas.command("run", self.folder / "whole.json", output=part, part=f"{number}/2", progress="off")
         merged = rubatlas.merge(parts, self.folder / "merged.h5")
         np.testing.assert_array_equal(merged["max_displacement"], whole["max_displacement"])
+        half = rubatlas.merge(parts[:1], self.folder / "half.h5")
+        np.testing.assert_array_equal(np.isfinite(half["max_displacement"]).sum(), 2)
+        with self.assertRaisesRegex(rubatlas.AtlasError, "half.h5 exists"):
+            rubatlas.merge(parts[:1], self.folder / "half.h5")
 
     def test_any_command_is_called_with_its_options_as_keywords(self):
         self.assertIn("period", rubatlas.command("analyse", self.folder / "two.h5", output=self.folder / "m.h5"))

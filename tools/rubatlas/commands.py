@@ -10,6 +10,7 @@ are called by `command`.
 """
 from __future__ import annotations
 
+import contextlib
 import pathlib
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -20,7 +21,7 @@ from rubatlas.accuracy_file import AccuracyFile
 from rubatlas.atlas import Atlas, read_edges
 from rubatlas.atlas_file import AtlasError
 from rubatlas.plots.branch import BranchFile
-from rubatlas.program import Path, command, scene_file, scene_text
+from rubatlas.program import Path, Unfinished, command, scene_file, scene_text
 
 Scene = Mapping[str, Any] | Path | Atlas
 
@@ -86,6 +87,7 @@ def verify(atlas: Atlas | Path, **options: Any) -> str:
 
 
 def merge(parts: Iterable[Atlas | Path], output: Path, **options: Any) -> Atlas:
-    """One atlas of the parts that `run --part` has computed."""
-    command("merge", *map(_path, parts), output=output, **options)
+    """One atlas of the parts that `run --part` has computed; points of parts that are missing are not done."""
+    with contextlib.suppress(Unfinished):
+        command("merge", *map(_path, parts), output=output, **options)
     return Atlas(output, program=options.get("program"))

@@ -14,6 +14,10 @@ from rubatlas.atlas_file import AtlasError
 Path = str | os.PathLike[str]
 
 
+class Unfinished(AtlasError):
+    """The program was stopped, or points are missing in what it has written."""
+
+
 def find_program(program: Path | None = None) -> pathlib.Path:
     """The program: the argument, RUBATLAS_PROGRAM of the environment, `rubatlas` on the PATH, or build/rubatlas of the
     clone that this package lies in."""
@@ -29,7 +33,8 @@ def find_program(program: Path | None = None) -> pathlib.Path:
 
 
 def call(arguments: Sequence[Path], program: Path | None = None, ranks: int = 1) -> str:
-    """Runs the program and returns what it prints; AtlasError with its own sentence where it refuses."""
+    """Runs the program and returns what it prints; AtlasError with its own sentence where it refuses, and Unfinished
+    where points are missing."""
     if ranks < 1:
         raise AtlasError(f"ranks {ranks}: at least one")
     command = [str(find_program(program)), *map(str, arguments)]
@@ -40,11 +45,11 @@ def call(arguments: Sequence[Path], program: Path | None = None, ranks: int = 1)
         environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     ended = subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True,
                            check=False)
-    # 10: some points could not be integrated; 75 of a merger: parts are missing. The atlas says so of each point.
-    if ended.returncode not in (0, 10, *([75] if str(arguments[0]) == "merge" else [])):
+    if ended.returncode not in (0, 10):  # 10: some points could not be integrated; the atlas says so of each
         said = [line for line in ended.stderr.splitlines() if line.startswith("rubatlas:")]
-        raise AtlasError(said[-1] if said
-                         else f"{command[0]} ended with exit code {ended.returncode}: {ended.stderr.strip()[-300:]}")
+        kind = Unfinished if ended.returncode == 75 else AtlasError
+        raise kind(said[-1] if said
+                   else f"{command[0]} ended with exit code {ended.returncode}: {ended.stderr.strip()[-300:]}")
     return ended.stdout
 
 
