@@ -54,8 +54,8 @@ OrthogonalFactors orthogonal_factors(const Eigen::MatrixXd& matrix) {
   return {factors.householderQ(), factors.matrixQR().diagonal()};
 }
 
-Eigen::MatrixXd solve(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
-  return matrix.partialPivLu().solve(right);
+Eigen::MatrixXd solve(Eigen::MatrixXd matrix, const Eigen::MatrixXd& right) {
+  return Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>(matrix).solve(right);
 }
 
 LongMatrix solve_long(const LongMatrix& matrix, const LongMatrix& right) {

@@ -34,7 +34,7 @@ struct OrthogonalFactors {
 OrthogonalFactors orthogonal_factors(const Eigen::MatrixXd& matrix);
 
 /// x with `matrix` x = `right`, column by column; the matrix has an inverse.
-Eigen::MatrixXd solve(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
+Eigen::MatrixXd solve(Eigen::MatrixXd matrix, const Eigen::MatrixXd& right);
 
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 /// The same for fits of polynomials, of which `double` would lose digits.

@@ -126,9 +126,10 @@ void check_speed_ramp(const Scene& scene) {
       const double last = first + ramped * rate;
       if (legal.contains(last)) continue;
       fail("/speed_ramp/rate",
-           fmt::format("from speed ratio {} on {} leads to {} in the last sampled revolution; speed ratios "
-                       "are {}",
-                       first, rate, last, legal.text()));
+           fmt::format(
+               "from speed ratio {} on {} leads to {:.6g} in the last sampled revolution; speed ratios "
+               "are {}",
+               first, rate, last, legal.text()));
     }
   }
 }

@@ -169,8 +169,11 @@ TEST(SpeedRamp, AnOrbitHasTheSectionsOfTheRunAndItsOwnClock) {
 TEST(SpeedRamp, MustNotLeadOutOfTheLegalSpeeds) {
   const auto refusal = [](double rate) { return settings::refusal(ramped(rate, 0.5, 0, 11).dump()); };
   EXPECT_EQ(refusal(-0.04), "accepted");
-  EXPECT_EQ(refusal(-0.05).rfind("/speed_ramp/rate: from speed ratio 0.5 on -0.05 leads to ", 0), 0U)
-      << refusal(-0.05);
+  EXPECT_EQ(refusal(-0.098).rfind("/speed_ramp/rate: from speed ratio 0.5 on -0.098 leads to -0.48 in the "
+                                  "last sampled revolution; speed ratios are ",
+                                  0),
+            0U)
+      << refusal(-0.098);
 }
 
 }  // namespace
