@@ -36,6 +36,8 @@ std::vector<Sample> samples_of(const Line& line, SpeedScale scale, double floor)
 constexpr std::size_t kFewestBesidePeak = 2;
 /// Points further away than this many stretches do not count, even on a coarse grid.
 constexpr double kFurthest = 3.0;
+/// Speeds that are further apart have no two points so near on each side.
+constexpr double kWidest = kFurthest * kTriggerStretch / 1.5;
 
 /// Mean of the logarithm over the points within a stretch of `speed`, walking from `first` by `step` and
 /// never across a gap.
@@ -66,11 +68,15 @@ Trigger find_trigger(const std::vector<Sample>& samples, SpeedScale scale, doubl
     const bool is_gap = samples[i].piece != samples[i + 1].piece;
     const bool in_range = samples[i + 1].scaled_speed > nominal - kTriggerSearch &&
                           samples[i].scaled_speed < nominal + kTriggerSearch;
-    if (is_gap && in_range) searched = false;
+    const bool is_wide = samples[i + 1].scaled_speed - samples[i].scaled_speed > kWidest;
+    if ((is_gap || is_wide) && in_range) searched = false;
     if (is_gap || !samples[i + 1].may_touch || std::abs(speed - nominal) > kTriggerSearch) continue;
     const auto below = level(samples, speed, static_cast<std::ptrdiff_t>(i), -1);
     const auto above = level(samples, speed, static_cast<std::ptrdiff_t>(i) + 1, +1);
-    if (!below || !above) continue;
+    if (!below || !above) {
+      searched = false;
+      continue;
+    }
     if (*above - *below > largest) {
       largest = *above - *below;
       best = {Presence::present, scale.speed_ratio(speed), std::exp(*below), std::exp(*above)};

@@ -244,6 +244,7 @@ int follow_branch(const BranchCommand& command) {
     branch::Branch found = branch::follow_curve(both, curve->kind, from, most);
     if (found.orbits.empty()) throw UsageError("--curve: the curve could not be followed from there");
     say_where_it_stopped(found, command.along, "an end of the curve");
+    for (const branch::Event& lost : found.events) say_sentence(sentence_of(lost, command.along));
     contents.quantities.push_back(axes[curve->in].quantity);
     contents.curve_of = curve->kind;
     contents.branches = {std::move(found)};

@@ -18,6 +18,7 @@
 #include "mpi/commands/explain_text.hpp"
 #include "mpi/commands/memory_need.hpp"
 #include "mpi/commands/notes.hpp"
+#include "mpi/commands/reach.hpp"
 #include "mpi/job/point_runner.hpp"
 #include "mpi/job/progress.hpp"
 #include "plan/grid.hpp"
@@ -54,7 +55,6 @@ void describe_machine(const settings::Scene& scene, Text& text) {
   const auto& speeds = scene.grid.speed_ratio;
   const auto& thicknesses = scene.grid.thickness;
   const double clearance = scene.clearance();
-  const double overlap = std::abs(misalignment) - clearance;
 
   text.heading("Machine");
   if (!scene.grid.swept.empty()) {
@@ -81,10 +81,12 @@ void describe_machine(const settings::Scene& scene, Text& text) {
   }
   text.line("ring", fmt::format("R {}, clearance δc {}, misalignment y0 {}", length(scene.ring.radius),
                                 length(clearance), length(misalignment)));
-  text.line("at equilibrium",
-            overlap > 0.0 ? fmt::format("a passing blade overlaps the ring by {}: it rubs at every speed",
-                                        length(overlap))
-                          : fmt::format("blades pass the ring at a distance of {}", length(-overlap)));
+  if (const auto overlap = overlap_at_equilibrium(scene, misalignment)) {
+    text.line("at equilibrium",
+              *overlap > 0.0 ? fmt::format("a passing blade overlaps the ring by {}: it rubs at every speed",
+                                           length(*overlap))
+                             : fmt::format("blades pass the ring at a distance of {}", length(-*overlap)));
+  }
   text.line("triggers", fmt::format("look near Ω = 1/n = {:.4g} and 2/n = {:.4g} (n = {})",
                                     1.0 / blades.count, 2.0 / blades.count, blades.count));
 }

@@ -150,14 +150,12 @@ void note_contacts(const settings::Scene& scene, const CostEstimate& cost, std::
   note_end_without_contact(points, "upper", cost, notes);
 }
 
-/// Largest overlap, over the grid, of a blade with the nearest point of the ring while the shaft is at
-/// equilibrium [m].
+/// The largest overlap at equilibrium over the grid [m]; 0 where there is none, or none is known.
 double largest_overlap(const settings::Scene& scene) {
-  double farthest = 0.0;
-  for (const double misalignment : settings::values_in(scene, "/rotor/misalignment")) {
-    farthest = std::max(farthest, std::abs(misalignment));
-  }
-  return farthest - scene.clearance();
+  double largest = 0.0;
+  for (const double misalignment : settings::values_in(scene, "/rotor/misalignment"))
+    largest = std::max(largest, overlap_at_equilibrium(scene, misalignment).value_or(0.0));
+  return largest;
 }
 
 /// How far beyond the ring a blade reaches where `initial` puts the shaft [m], over the grid; none where it
@@ -254,6 +252,12 @@ std::vector<std::string> notes_on(const settings::Scene& scene, const CostEstima
                     "in contact",
                     length(farthest_start(scene, -scene.rotor.misalignment)), length(scene.clearance())));
   }
+  if (const auto& support = scene.support;
+      support && (support->stiffness_xx != 0.0 || support->stiffness_yy != 0.0)) {
+    result.emplace_back(
+        "/support stiffens or softens the shaft, but Ω remains the speed over /rotor/natural_frequency, and "
+        "regions and triggers are looked for as if there were no support");
+  }
   if (scene.grid.speed_ratio.back() > 1.0) {
     result.emplace_back(
         "speeds beyond Ω = 1 reach the border of the model, where blades can no longer push a rotor back "
@@ -275,7 +279,9 @@ std::vector<std::string> notes_on(const settings::Scene& scene, const CostEstima
   }
   const bool has_passing = std::find(scene.observables.begin(), scene.observables.end(),
                                      "poincare_blade_passing") != scene.observables.end();
-  if (!has_passing && scene.unbalance == std::nullopt && scene.blades.count > 1) {
+  const bool repeats_every_passing =
+      !scene.unbalance && !scene.unequal_blades && !scene.wear && !scene.speed_ripple && !scene.speed_ramp;
+  if (!has_passing && repeats_every_passing && scene.blades.count > 1) {
     result.push_back(
         fmt::format("without unbalance the natural period is a blade passing, T/{}: the observable "
                     "`poincare_blade_passing` would show period doublings that once-per-revolution "

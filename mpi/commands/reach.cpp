@@ -84,6 +84,11 @@ std::optional<FreeReach> reach_without_contact(const settings::Scene& scene) {
   return reach;
 }
 
+std::optional<double> overlap_at_equilibrium(const settings::Scene& scene, double misalignment) {
+  if (scene.gravity || scene.side_load || scene.unequal_blades) return std::nullopt;
+  return std::abs(misalignment) - scene.clearance();
+}
+
 double farthest_start(const settings::Scene& scene, double height) {
   double farthest = 0.0;
   for (const double x : settings::values_in(scene, "/initial/x")) {

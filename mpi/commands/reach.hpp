@@ -20,6 +20,11 @@ struct FreeReach {
 /// motion.
 std::optional<FreeReach> reach_without_contact(const settings::Scene& scene);
 
+/// How far a blade with this misalignment overlaps the nearest point of the ring while the shaft is at
+/// equilibrium [m]; negative: it passes at that distance. Nothing where a static load holds the shaft
+/// elsewhere, or blades have different lengths.
+std::optional<double> overlap_at_equilibrium(const settings::Scene& scene, double misalignment);
+
 /// Largest distance, over the grid, of the shaft at the start from a point `height` above its equilibrium
 /// [m].
 double farthest_start(const settings::Scene& scene, double height);

@@ -58,7 +58,8 @@ Branch Continuation::follow(OnBranch state, std::size_t most) {
     }
     const bool eased = corrector_.was_easy();
     if (next && !shooting_->in_range(next->at)) {
-      if (const auto last = at_end_of_range(state, *next)) {
+      const auto last = at_end_of_range(corrector_, *shooting_, state, *next);
+      if (last && same_touches(state.orbit, last->orbit)) {
         add_bifurcations(corrector_, state, *last, std::max((last->at - state.at).norm(), kShortestStep),
                          branch.events);
         branch.orbits.push_back(last->orbit);
@@ -103,18 +104,6 @@ Branch Continuation::follow(OnBranch state, std::size_t most) {
     length = eased ? std::min(1.5 * length, kLongestStep) : length;
   }
   return branch;
-}
-
-std::optional<OnBranch> Continuation::at_end_of_range(const OnBranch& inside, const OnBranch& outside) {
-  const Varied& varied = shooting_->varied()[0];
-  const double limit =
-      (shooting_->quantity(outside.at, 0) > varied.highest ? varied.highest : varied.lowest) / varied.scale;
-  const Unknowns way = outside.at - inside.at;
-  Unknowns plane = Unknowns::Zero(shooting_->size());
-  plane[4] = 1.0;
-  auto last = corrector_.correct(inside.at + (limit - inside.at[4]) / way[4] * way, plane);
-  const bool between = last && (last->at - inside.at).norm() <= way.norm();
-  return between && same_touches(inside.orbit, last->orbit) ? last : std::nullopt;
 }
 
 }  // namespace rubatlas::branch

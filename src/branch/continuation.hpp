@@ -37,8 +37,6 @@ class Continuation {
 
  private:
   [[nodiscard]] Branch follow(OnBranch state, std::size_t most);
-  /// The orbit where the first quantity's range ends, between an orbit in it and one beyond.
-  [[nodiscard]] std::optional<OnBranch> at_end_of_range(const OnBranch& inside, const OnBranch& outside);
 
   Shooting* shooting_;
   Corrector corrector_;

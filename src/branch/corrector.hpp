@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <optional>
 
 #include "branch/branch.hpp"
@@ -54,5 +55,25 @@ class Corrector {
   Shooting* shooting_;
   int iterations_ = 0;  ///< of the last correction
 };
+
+/// Where a branch or a curve that leaves the range of a quantity between two orbits reaches its end; nothing
+/// where it is not found between them. `corrector`: that of a branch, or of a curve.
+template <class Any>
+std::optional<OnBranch> at_end_of_range(Any& corrector, const Shooting& shooting, const OnBranch& inside,
+                                        const OnBranch& outside) {
+  const Unknowns way = outside.at - inside.at;
+  for (std::size_t i = 0; i < shooting.varied().size(); ++i) {
+    const Varied& varied = shooting.varied()[i];
+    const double value = shooting.quantity(outside.at, i);
+    if (value >= varied.lowest && value <= varied.highest) continue;
+    const double limit = (value > varied.highest ? varied.highest : varied.lowest) / varied.scale;
+    const auto place = static_cast<Eigen::Index>(4 + i);
+    Unknowns plane = Unknowns::Zero(way.size());
+    plane[place] = 1.0;
+    auto last = corrector.correct(inside.at + (limit - inside.at[place]) / way[place] * way, plane);
+    return last && (last->at - inside.at).norm() <= way.norm() ? last : std::nullopt;
+  }
+  return std::nullopt;
+}
 
 }  // namespace rubatlas::branch

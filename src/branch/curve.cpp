@@ -10,7 +10,8 @@
 namespace rubatlas::branch {
 namespace {
 
-constexpr double kLongestOnCurve = 0.5;  ///< there are no bifurcations to be stepped over
+constexpr double kLongestOnCurve = 0.5;    ///< there are no bifurcations to be stepped over
+constexpr double kShortestOnCurve = 1e-4;  ///< next to a grazing ever shorter ones would go on for long
 
 class Curve {
  public:
@@ -82,8 +83,8 @@ Branch follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::
     state.tangent *= direction;
     double length = kFirstStep;
     std::size_t count = 1;
-    while (length >= kShortestStep) {
-      if (2 * count >= most) {
+    while (length >= kShortestOnCurve) {
+      if (count >= most) {
         found.goes_on = true;
         break;
       }
@@ -92,12 +93,19 @@ Branch follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::
         length *= 0.5;
         continue;
       }
-      if (!shooting.in_range(next->at)) break;
+      if (!shooting.in_range(next->at)) {
+        const auto last = at_end_of_range(curve, shooting, state, *next);
+        if (last) orbits.push_back(last->orbit);
+        if (last) break;
+        length *= 0.5;
+        continue;
+      }
       state = *next;
       ++count;
       orbits.push_back(state.orbit);
       if (curve.was_easy()) length = std::min(1.5 * length, kLongestOnCurve);
     }
+    if (length < kShortestOnCurve) found.events.push_back({.kind = EventKind::lost, .orbit = state.orbit});
     // From one end of the curve to the other.
     if (direction < 0.0) std::ranges::reverse(orbits);
   }

@@ -91,6 +91,14 @@ TEST(Triggers, AreNotCoveredWhereTheLineEndsBeforeThem) {
   }
 }
 
+TEST(Triggers, AreNotCoveredByPointsTooFarApartToSeeThem) {
+  const auto step = [](double speed) { return speed < 0.34 ? 1e-4 : speed < 0.66 ? 1e-2 : 3e-2; };
+  for (const std::size_t count : {2, 3, 6, 8, 10, 13}) {
+    for (const auto& trigger : find_triggers(line_with(step, count), kThreeBlades, kFloor))
+      EXPECT_EQ(trigger.presence, Presence::not_covered) << count << " speeds";
+  }
+}
+
 TEST(Triggers, AreNotCalledAbsentWhereAGapMayHideThem) {
   auto line = line_with([](double speed) { return speed < 0.5 ? 1e-3 : 1e-2; });
   for (std::size_t i = 280; i < 310; ++i) {  // Ω from 0.33 to 0.36

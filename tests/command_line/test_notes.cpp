@@ -120,6 +120,38 @@ TEST(Notes, NoBladeTouchesWhereItIsSaidThatNoneDoes) {
   EXPECT_GT(touched, 10);
 }
 
+/// All notes on the default rotor with some sections changed, one a line.
+std::string notes(const std::string& sections) {
+  std::string text;
+  for (const auto& note :
+       notes_on(settings::parse_scene(R"({"grid": {"speed_ratio": 0.5}, )" + sections + "}"), {}))
+    text += note + "\n";
+  return text;
+}
+
+TEST(Notes, NamePeriodAndOverlapOnlyWhereTheyAreThoseOfTheRotor) {
+  const std::string period = "the natural period is a blade passing, T/3";
+  const std::string overlap = "y0 is above the clearance δc, by 0.5 mm";
+  const auto says = [](const std::string& sections, const std::string& words) {
+    return notes(R"("rotor": {"misalignment": 0.0105}, )" + sections).find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(says(R"("observables": ["poincare"])", period));
+  EXPECT_TRUE(says(R"("observables": ["poincare"])", overlap));
+  for (const std::string effect :
+       {R"("unequal_blades": {"length_errors": [1e-3, 0, 0]})", R"("wear": {"rate": 1e-9})",
+        R"("speed_ripple": {"amplitude": 0.1, "order": 1})", R"("speed_ramp": {"rate": 1e-4})"})
+    EXPECT_FALSE(says(effect + R"(, "observables": ["poincare"])", period)) << effect;
+  for (const std::string effect : {R"("unequal_blades": {"length_errors": [1e-3, 0, 0]})",
+                                   R"("gravity": {"acceleration": 0.3})", R"("side_load": {"force": 0.1})"})
+    EXPECT_FALSE(says(effect, overlap)) << effect;
+}
+
+TEST(Notes, ASupportThatChangesTheNaturalFrequencyIsNamed) {
+  const std::string words = "as if there were no support";
+  EXPECT_NE(notes(R"("support": {"stiffness_xx": 100, "stiffness_yy": 100})").find(words), std::string::npos);
+  EXPECT_EQ(notes(R"("support": {"damping_xx": 1})").find(words), std::string::npos);
+}
+
 TEST(Notes, ARunSaysThatNothingHasTouched) {
   const Workplace place;
   const auto said = [&](double moment) {

@@ -92,6 +92,15 @@ class Branch(JobTest):
         said = self.branch(*options, "--both", "--points", "5")
         self.assertEqual(said.count("before an end of 0.41 to 0.43; a larger --points"), 2)
 
+    def test_a_curve_ends_at_the_limits_of_its_second_quantity(self):
+        said = self.branch("--from", "speed_ratio=0.66", "--along", "speed_ratio", "--to", "0.70", "--curve",
+                           "period_doubling", "--in", "damping_ratio", "--within", "0.098", "0.104")
+        self.assertNotRegex(said, "stopped|lost")
+        found = self.rows()
+        damping, speed = found["second_parameter"], found["parameter"]
+        self.assertTrue(np.allclose(damping[[0, -1]], (0.098, 0.104), rtol=1e-14, atol=0.0), damping)
+        self.assertAlmostEqual(np.interp(0.1, damping, speed), 0.6840370978, delta=1e-8)
+
     def goes_on(self):
         with h5py.File(self.directory / "branch.h5", "r") as file:
             return file.attrs["goes_on"]
