@@ -2,6 +2,7 @@
 import importlib
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -50,6 +51,21 @@ class PicturesOfMotions(PicturesCase):
             np.testing.assert_array_equal(drawn[np.concatenate([[0], gaps[:-1] + 1])], 0.0)
         self.assertGreater(max(np.diff(line.get_ydata()[~np.isnan(line.get_ydata())]).size for line in forces.lines),
                            50)
+
+    def test_the_peaks_of_an_orbit_are_those_of_all_its_revolutions(self):
+        shutil.copy(TINY / "orbit.h5", self.folder / "uneven.h5")
+        with h5py.File(self.folder / "uneven.h5", "r+") as orbit:
+            blade, first = orbit["contact_blade"][:], orbit["contact_number"][:] < 3
+            force = orbit["contact_force"][:]
+            force[first] *= 10.0  # long before the last revolution
+            force[(blade == 3) & ~first] = 0.0
+            orbit["contact_force"][:] = force
+        forces = Figure("orbit", self.folder / "uneven.h5", "--revolutions", 1).figure.axes[1]
+        self.assertEqual([line.get_label() for line in forces.lines],
+                         [f"blade {number}, up to {force[blade == number].max():.4g} N" for number in (1, 2, 3)])
+        self.assertEqual(forces.get_xlabel(), "Time [revolutions]; the last 1 of 16, peaks of all")
+        whole = Figure("orbit", self.folder / "uneven.h5", "--revolutions", 16).figure.axes[1]
+        self.assertEqual(whole.get_xlabel(), "Time [revolutions]")
 
     def test_revolutions_at_a_speed_that_ramps_are_as_long_as_each_is(self):
         orbit = object.__new__(OrbitFile)

@@ -3,8 +3,8 @@
   rubatlas-plot orbit ORBIT.h5 [ORBIT.h5 ...] -o PICTURE.png [--revolutions 3]
 
 The circle is the clearance, around the middle of the ring: as long as the shaft centre stays inside, no blade can
-touch, wherever it points. The forces are those of the last revolutions, contact by contact from touch-down to lift-off.
-Several orbits of one rotor have a panel each, and no forces.
+touch, wherever it points. The forces are those of the last revolutions, contact by contact from touch-down to lift-off;
+their peaks are those of all revolutions. Several orbits of one rotor have a panel each, and no forces.
 """
 import json
 
@@ -122,15 +122,18 @@ DASHES = ["-", "--", ":", "-."]  # of blades, which tell them apart in greyscale
 
 
 def forces_into(forces, orbit, revolutions=3):
-    """The force on each blade over the last revolutions."""
+    """The force on each blade over the last revolutions; its peak is that of the whole orbit, which stands beside."""
     revolution = orbit.revolutions(orbit.data["time"])
     last = revolution >= revolution[-1] - revolutions
     for blade in range(orbit.data["force"].shape[1]):
         time, force = orbit.contacts(blade + 1, orbit.data["time"][last][0])
-        peak = f", up to {np.nanmax(force):.4g} {orbit.units['contact_force']}" if len(force) else ", no contact"
+        of_orbit = orbit.data["contact_force"][orbit.data["contact_blade"] == blade + 1]
+        peak = f", up to {of_orbit.max():.4g} {orbit.units['contact_force']}" if len(of_orbit) else ", no contact"
         forces.plot(orbit.revolutions(time), force, DASHES[blade % len(DASHES)], lw=1.0,
                     color=style.CYCLE[blade % len(style.CYCLE)], label=f"blade {blade + 1}{peak}")
-    forces.set_xlabel("Time [revolutions]")
+    total = len(orbit.data["sections"])
+    shown = f"; the last {revolutions} of {total}, peaks of all" if revolutions < total else ""
+    forces.set_xlabel(f"Time [revolutions]{shown}")
     forces.set_ylabel(f"Normal force on a blade [{orbit.units['contact_force']}]")
     forces.set_ylim(bottom=0)
     forces.set_xlim(revolution[last][0], revolution[-1])
