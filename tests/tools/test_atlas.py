@@ -11,6 +11,7 @@ from package_test import TINY, WithFolder
 
 import rubatlas
 from bands import in_bands
+from rubatlas.query import GRAMMAR
 
 
 class AtlasQuestions(WithFolder):
@@ -193,6 +194,29 @@ class AtlasQuestions(WithFolder):
             np.testing.assert_array_equal(found, wanted.reshape(found.shape), text)
         with self.assertRaisesRegex(rubatlas.AtlasError, "a length, what stands after it is a force"):
             rings.where("max_displacement < 3 N")
+
+    def test_a_condition_knows_the_largest_exponent_and_says_what_has_rows(self):
+        rows = GRAMMAR["names_of_rows"]
+        scene = {"grid": {"speed_ratio": [0.5, 0.52, 0.7], "damping_ratio": [0.05, 0.1]}, "observables":
+                 ["max_displacement", "lyapunov", *(name for name in rows
+                                                    if name not in ("final_state", "lyapunov_error"))],
+                 "protocol": {"transient_revolutions": 10, "sampled_revolutions": 20, "samples_per_revolution": 16}}
+        atlas = rubatlas.run(scene, self.folder / "exponents.h5")
+        with h5py.File(atlas.path) as file:
+            largest = np.where(file["status"][...] == 1, file["lyapunov"][..., 0], np.nan).squeeze()
+            found = [name for name, dataset in file.items() if name != "lyapunov" and getattr(dataset, "ndim", 0) > 5]
+        self.assertEqual(sorted(found), sorted(rows))
+        middle = float(np.nanmedian(largest))
+        self.assertTrue(0 < (largest > middle).sum() < largest.size)
+        part = atlas.sel(damping_ratio=0.1, speed_ratio=[0.7, 0.5])
+        for part, wanted in ((atlas, largest), (part, largest[1, [2, 0]])):
+            kept = part.where(f"lyapunov > {middle!r}")
+            np.testing.assert_array_equal(np.isfinite(kept["max_displacement"]), wanted > middle)
+        for name in rows:
+            with self.assertRaisesRegex(rubatlas.AtlasError, f"{name} > 0: {name} has rows of its own, and no single "):
+                atlas.where(f"{name} > 0")
+        with self.assertRaisesRegex(rubatlas.AtlasError, "lyapunov is not in this atlas"):
+            self.atlas.where("lyapunov > 0")
 
     def test_bands_are_the_runs_of_neighbouring_points_of_one_line(self):
         bands = self.atlas.line(damping_ratio=0.05).where("class == 'unresolved'").bands()

@@ -20,8 +20,9 @@ import numpy as np
 import xarray
 
 from rubatlas import query
-from rubatlas.atlas_file import (DIRECTIONS, DONE, EDGES, SOMETIMES, AtlasError, AtlasFile, beside, counted, number_of,
-                                 reading, same_value, sizes_of, swept_pointers, text, with_values, words_of)
+from rubatlas.atlas_file import (DIRECTIONS, DONE, EDGES, FIRST_OF_ROW, SOMETIMES, AtlasError, AtlasFile, beside,
+                                 counted, number_of, reading, same_value, sizes_of, swept_pointers, text, with_values,
+                                 words_of)
 from rubatlas.judgement import MAY_NOT_OCCUR, Judgement, bands_of
 from rubatlas.plots.axes import Plots
 from rubatlas.plots.orbit import OrbitFile
@@ -281,7 +282,8 @@ class Atlas:
 
     def where(self, condition: str | Mask) -> Atlas:
         """The points at which a condition holds, as text: "class = aperiodic and max displacement > 5 mm" (the grammar:
-        `rubatlas.query`); or those of a mask such as `atlas["max_displacement"] > 5e-3`."""
+        `rubatlas.query`); or those of a mask such as `atlas["max_displacement"] > 5e-3`. In a text `lyapunov` is the
+        largest exponent of each point."""
         if not isinstance(condition, str):
             return self._with(self._raw, self._chosen & self._mask(condition))
 
@@ -296,6 +298,10 @@ class Atlas:
             words = words_of(values.attrs)
             names[str(name)] = query.Name(values.values, flags=words) if words else \
                 query.Name(self[str(name)].values, values.attrs["units"])
+        for name in FIRST_OF_ROW:
+            if name in self._larger():
+                row = self[name]
+                names[name] = query.Name(row.values[..., 0], row.attrs["units"])
         for axis in self.axes:
             here = self._raw[axis]
             words = dict(enumerate(DIRECTIONS)) if axis == "direction" else None

@@ -147,6 +147,8 @@ def reading(path, what, *kinds):
 
 
 SOMETIMES = ("seam", "settled")  # rows of scenes whose lines are cut, whose transients end on cycles
+# Observables in descending rows of which a query and the page of a report take the first number, with what it is.
+FIRST_OF_ROW = {"lyapunov": "largest Lyapunov exponent per unit tau; positive: chaotic"}
 
 
 class _Examination:

@@ -279,6 +279,8 @@ class _Evaluation:
             return _Value("word", text=phrase)
         if name in self.grammar["names_of_maps"]:
             raise _refusal(self.grammar, "without_maps", name=name)
+        if name in self.grammar["names_of_rows"]:
+            raise _refusal(self.grammar, "has_rows", name=name)
         raise _refusal(self.grammar, "unknown_name", name=phrase, nearest=nearest(phrase, [*self.names, *words]))
 
     def holding(self, value: _Value) -> _Value:

@@ -10,7 +10,8 @@ import os
 
 import numpy as np
 
-from rubatlas.atlas_file import DONE, SCENE_VALUE, SYMBOL, AtlasError, printable, swept_pointers, with_values, words_of
+from rubatlas.atlas_file import (DONE, FIRST_OF_ROW, SCENE_VALUE, SYMBOL, AtlasError, printable, swept_pointers,
+                                 with_values, words_of)
 from rubatlas.elastica import angles_from_tip
 from rubatlas.report.blocks import Blocks
 from rubatlas.report.orbits import orbits_of
@@ -88,8 +89,8 @@ def maps_of(atlas, maps, blocks):
         dataset = atlas.dataset(name)
         if dataset.shape == shape:
             add(name, atlas, dataset, dataset[...])
-        elif name == "lyapunov":
-            add(name, atlas, dataset, dataset[..., 0], "largest Lyapunov exponent per unit tau; positive: chaotic")
+        elif name in FIRST_OF_ROW:
+            add(name, atlas, dataset, dataset[..., 0], FIRST_OF_ROW[name])
     if "restarted" in atlas:
         add("restarted", atlas, atlas.dataset("restarted"), atlas.dataset("restarted")[...])
     if maps is not None and "margins" in maps:

@@ -150,6 +150,7 @@ function parseQuery(text, names, grammar, sizes = {}) {
     const words = Object.values(names).flatMap(({flags}) => Object.values(flags ?? {}));
     if (words.includes(phrase)) return {kind: 'word', text: phrase};
     if (grammar.names_of_maps.includes(name)) refuse('without_maps', {name});
+    if (grammar.names_of_rows.includes(name)) refuse('has_rows', {name});
     return refuse('unknown_name', {name: phrase, nearest: nearest(phrase, [...Object.keys(names), ...words])});
   }
   /// A word alone as the condition that its map has it.
