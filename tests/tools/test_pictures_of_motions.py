@@ -74,6 +74,10 @@ class PicturesOfMotions(PicturesCase):
         periods = 2.0 * np.pi / np.array([0.5, 0.6, 0.7])
         np.testing.assert_allclose(orbit.revolutions(np.cumsum(periods)), [1.0, 2.0, 3.0], rtol=1e-14)
         self.assertAlmostEqual(orbit.revolutions(periods[0] + 0.25 * periods[1]), 1.25)
+        orbit.attributes["damping_ratio"], orbit.further_axes = 0.1, []
+        self.assertEqual(orbit.describe(), "speed ratio 0.5 to 0.7, damping ratio 0.1")
+        orbit.scene = {}
+        self.assertEqual(orbit.describe(), "speed ratio 0.5, damping ratio 0.1")
 
     def test_an_orbit_is_drawn_in_its_own_ring(self):
         self.assertIn("clearance 9.5 mm", Figure("orbit", TINY / "rings_orbit.h5").texts())

@@ -57,13 +57,20 @@ class OrbitFile:
 
     def revolutions(self, time):
         """How many revolutions have passed at these times; the speed may ramp from one to the next."""
-        number = np.arange(len(self.data["sections"]) + 1)
-        speed = float(self.attributes["speed_ratio"]) + number * (self.scene.get("speed_ramp") or {}).get("rate", 0.0)
-        return np.interp(time, np.concatenate([[0.0], np.cumsum(2.0 * np.pi / speed[:-1])]), number)
+        ends = np.cumsum(2.0 * np.pi / self.speeds())
+        return np.interp(time, np.concatenate([[0.0], ends]), np.arange(len(ends) + 1))
+
+    def speeds(self):
+        """The speed ratio in each revolution."""
+        rate = (self.scene.get("speed_ramp") or {}).get("rate", 0.0)
+        return float(self.attributes["speed_ratio"]) + rate * np.arange(len(self.data["sections"]))
 
     def values(self):
-        """Its point, in words: one entry for each quantity of the grid."""
-        return values_of(self.attributes, self.further_axes)
+        """Its point, in words: one entry for each quantity of the grid. A speed that ramps is named from the first
+        revolution to the last."""
+        found = values_of(self.attributes, self.further_axes)
+        first, last = self.speeds()[[0, -1]]
+        return [f"speed ratio {first:g} to {last:g}", *found[1:]] if first != last else found
 
     def describe(self):
         return ", ".join(self.values())
