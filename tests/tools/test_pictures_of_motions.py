@@ -91,6 +91,16 @@ class PicturesOfMotions(PicturesCase):
             subprocess.run([*command, "--along", along, "--to", to], check=True, capture_output=True)
             self.assertEqual(Figure("branch", path).figure.axes[1].get_xlabel(), label)
 
+    def test_a_neimark_sacker_bifurcation_is_seen_around_a_grazing_at_the_same_place(self):
+        path = self.folder / "crowded.h5"
+        subprocess.run([os.environ["RUBATLAS_PROGRAM"], "branch", ROOT / "jobs/default.json", "-o", path, "--from",
+                        "speed_ratio=0.62", "--along", "speed_ratio", "--to", "0.595"], check=True, capture_output=True)
+        marks = {line.get_label(): line for line in Figure("branch", path).figure.axes[0].lines}
+        bifurcation, grazing = marks["Neimark-Sacker"], marks["grazing"]
+        self.assertLess(abs(bifurcation.get_xdata()[0] - grazing.get_xdata()[0]), 1e-3)
+        self.assertEqual(bifurcation.get_markerfacecolor(), "none")
+        self.assertGreater(bifurcation.get_markersize(), 1.5 * grazing.get_markersize())
+
     def test_several_orbits_have_a_panel_each_with_sections_clearance_and_middle_of_the_ring(self):
         figure = Figure("orbit", TINY / "orbit.h5", self.folder / "other.h5").figure
         *planes, bottom = figure.axes

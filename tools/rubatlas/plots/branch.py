@@ -126,7 +126,9 @@ def draw_branch(branch, options):
         sizes = size_of(branch["events/section"])
         for kind in np.unique(kinds):
             label, mark, colour = MARKS[int(kind)]
-            upper.plot(where[kinds == kind], sizes[kinds == kind], mark, color=colour, ms=5, label=label, zorder=3)
+            # A grazing often follows on a Neimark-Sacker bifurcation so closely that both marks are in one place.
+            look = {"ms": 9, "mfc": "none", "mew": 1.4} if kind == 3 else {"ms": 5}
+            upper.plot(where[kinds == kind], sizes[kinds == kind], mark, color=colour, label=label, zorder=3, **look)
     lower.axhline(1.0, color=style.INK, lw=0.8)
     lower.set_yscale("log")
     upper.set_ylabel("Section's distance [mm]")
