@@ -43,6 +43,7 @@ class Signature(NamedTuple):
     breadth: Numbers
     #: √(bins between the lines · median of their power / ln 2): `between` for white noise, whose bins have powers with
     #: a median of ln 2 times the mean, and 0 for lines, which never stand in half of the bins. A broad band's height.
+    #: The median of an even number is the upper of the middle two.
     broad: Numbers
 
 
