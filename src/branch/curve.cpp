@@ -95,8 +95,10 @@ Branch follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::
       }
       if (!shooting.in_range(next->at)) {
         const auto last = at_end_of_range(curve, shooting, state, *next);
-        if (last) orbits.push_back(last->orbit);
-        if (last) break;
+        if (last) {
+          orbits.push_back(last->orbit);
+          break;
+        }
         length *= 0.5;
         continue;
       }

@@ -13,7 +13,8 @@ namespace {
 
 /// Of a line from 0.6 to 0.7.
 Findings found_with(std::vector<Edge> edges) {
-  Findings found{.scene = settings::parse_scene(R"({"grid": {"speed_ratio": [0.6, 0.7]}})")};
+  Findings found;
+  found.scene = settings::parse_scene(R"({"grid": {"speed_ratio": [0.6, 0.7]}})");
   found.axes = plan::Grid(found.scene).axes();
   found.lines.resize(1);
   found.edges = EdgeTable{1e-6, false, std::move(edges)};
