@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/edges_report.hpp"
@@ -25,28 +26,27 @@ TEST(EdgesReport, SaysThatThereAreNoBorders) {
   EXPECT_EQ(edge_sentences(found_with({})), std::vector<std::string>{"Edges: none; there are no borders."});
 }
 
-TEST(EdgesReport, OfAMotionThatIsLostInShorterStepsNamesTheSpeedsBetween) {
+/// What is told of region 3, which a sweep in shorter steps no longer finds, from this speed to the last.
+std::string lost_from(double speed) {
   const Edge edge{.motion_below = 1,
                   .motion_above = 2,
                   .region_begins = 3,
-                  .lower = 0.65,
+                  .lower = speed,
                   .upper = 0.7,
                   .outcome = EdgeOutcome::overrun};
+  return edge_sentences(found_with({edge})).front();
+}
+
+TEST(EdgesReport, OfAMotionThatIsLostInShorterStepsNamesTheSpeedsBetween) {
   EXPECT_EQ(
-      edge_sentences(found_with({edge})).front(),
+      lost_from(0.65),
       "region 3 begins between Ω = 0.650000 and 0.700000, or behind it: a sweep in shorter steps finds at "
       "Ω = 0.7 another motion than the atlas: period 1 below, period 2 above.");
 }
 
 TEST(EdgesReport, OfAMotionThatIsLostAtTheLastSpeedNamesThatSpeedAlone) {
-  const Edge edge{.motion_below = 1,
-                  .motion_above = 2,
-                  .region_begins = 3,
-                  .lower = 0.7,
-                  .upper = 0.7,
-                  .outcome = EdgeOutcome::overrun};
   EXPECT_EQ(
-      edge_sentences(found_with({edge})).front(),
+      lost_from(0.7),
       "region 3 begins at Ω = 0.7, or behind it: a sweep in shorter steps finds at Ω = 0.7 another motion "
       "than the atlas: period 1 below, period 2 above.");
 }

@@ -102,10 +102,15 @@ def drawn(units):
     return _DRAWN.get(units, (units, 1.0))
 
 
+def label_of(name, units):
+    """Label of an axis: a name as in a file, in words, with its symbol, and a unit."""
+    words = " ".join([*name.split("_"), SYMBOL.get(name, "")]).strip()
+    return f"{words[:1].upper()}{words[1:]} [{units}]"
+
+
 def label(atlas, name):
     """Label of an axis of the grid: its name in the file, its symbol, and the unit it is drawn in."""
-    words = " ".join([*name.split("_"), SYMBOL.get(name, "")]).strip()
-    return f"{words[:1].upper()}{words[1:]} [{drawn(atlas.units(name))[0]}]"
+    return label_of(name, drawn(atlas.units(name))[0])
 
 
 def rpm_axis(panel, sizes, upwards=False):

@@ -12,7 +12,7 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import SYMBOL, AtlasError, printable, reading, sizes_of, swept_pointers, text, values_of
+from rubatlas.atlas_file import AtlasError, printable, reading, sizes_of, swept_pointers, text, values_of
 
 # Marks of the kinds of events, as the file numbers them.
 MARKS = {1: ("fold", "s", style.GREEN), 2: ("period doubling", "D", style.VERMILION),
@@ -49,10 +49,9 @@ class BranchFile:
         return self.attribute(which).rsplit("/", 1)[-1].replace("_", " ")
 
     def label(self, which):
-        """The same as the label of an axis, with its symbol and its unit."""
-        name, units = self.name_of(which), self.units[which]
-        words = f"{name} {SYMBOL.get(name.replace(' ', '_'), '')}".strip()
-        return f"{words[:1].upper()}{words[1:]} [{'-' if units == '1' else units}]"
+        """The same as the label of an axis."""
+        units = self.units[which]
+        return style.label_of(self.name_of(which).replace(" ", "_"), "-" if units == "1" else units)
 
 
 def colour_of(which):
