@@ -11,6 +11,7 @@
 #include "analysis/rules/attractors.hpp"
 #include "analysis/rules/evidence_text.hpp"
 #include "analysis/rules/starts.hpp"
+#include "settings/effects/list.hpp"
 #include "settings/quantity.hpp"
 
 namespace rubatlas::analysis {
@@ -209,6 +210,13 @@ std::string contact_law_text(const settings::Scene& scene) {
 
 }  // namespace
 
+std::string note_on_support(const settings::Scene& scene) {
+  const effects::Support support = scene.support.value_or(effects::Support{});
+  if (support.stiffness_xx == 0.0 && support.stiffness_yy == 0.0) return {};
+  return "Ω is the speed over /rotor/natural_frequency, and regions and triggers are looked for as if "
+         "/support had no stiffness";
+}
+
 std::vector<std::string> facts(const Findings& found) {
   std::vector<std::string> sentences;
   sentences.push_back(
@@ -225,6 +233,7 @@ std::vector<std::string> facts(const Findings& found) {
   }
   if (auto contacts = contacts_text(found); !contacts.empty()) sentences.push_back(std::move(contacts));
   if (!found.exponent_check.empty()) sentences.push_back(exponents_text(found));
+  if (const auto note = note_on_support(found.scene); !note.empty()) sentences.push_back(note + ".");
   if (found.max_displacement.empty()) {
     sentences.emplace_back("The atlas has no `max_displacement`: no triggers, and no displacements.");
   }

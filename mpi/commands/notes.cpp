@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/report_parts.hpp"
 #include "mpi/commands/explain_text.hpp"
 #include "mpi/commands/reach.hpp"
 #include "settings/quantity.hpp"
@@ -252,12 +253,7 @@ std::vector<std::string> notes_on(const settings::Scene& scene, const CostEstima
                     "in contact",
                     length(farthest_start(scene, -scene.rotor.misalignment)), length(scene.clearance())));
   }
-  if (const auto& support = scene.support;
-      support && (support->stiffness_xx != 0.0 || support->stiffness_yy != 0.0)) {
-    result.emplace_back(
-        "/support stiffens or softens the shaft, but Ω remains the speed over /rotor/natural_frequency, and "
-        "regions and triggers are looked for as if there were no support");
-  }
+  if (auto note = analysis::note_on_support(scene); !note.empty()) result.push_back(std::move(note));
   if (scene.grid.speed_ratio.back() > 1.0) {
     result.emplace_back(
         "speeds beyond Ω = 1 reach the border of the model, where blades can no longer push a rotor back "

@@ -147,7 +147,7 @@ TEST(Notes, NamePeriodAndOverlapOnlyWhereTheyAreThoseOfTheRotor) {
 }
 
 TEST(Notes, ASupportThatChangesTheNaturalFrequencyIsNamed) {
-  const std::string words = "as if there were no support";
+  const std::string words = "as if /support had no stiffness";
   EXPECT_NE(notes(R"("support": {"stiffness_xx": 100, "stiffness_yy": 100})").find(words), std::string::npos);
   EXPECT_EQ(notes(R"("support": {"damping_xx": 1})").find(words), std::string::npos);
 }
