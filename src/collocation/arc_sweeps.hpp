@@ -366,10 +366,9 @@ class ArcSweeps {
   bool direction_holds_ = false;  ///< er_ is that of the deviation, to rounding
 };
 
-/// Solves an interval by sweeps of one kind. What they call is a few operations on registers each: in one
-/// function all of it takes a twelfth fewer instructions, and more of the compiler's time.
+/// Solves an interval by sweeps of one kind.
 template <class Sweeps, class... With>
-[[gnu::flatten, gnu::noinline]] bool solved_by(With&&... with) {
+RUBATLAS_IN_ONE_FUNCTION [[gnu::noinline]] bool solved_by(With&&... with) {
   return Sweeps(with...).solve();
 }
 

@@ -108,7 +108,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   ///
   /// A `light` sweep keeps the slopes of the sweep before.
   template <bool kLight>
-  [[gnu::flatten]] double sweep() {  // as `solved_by` is
+  RUBATLAS_IN_ONE_FUNCTION double sweep() {
     const Interval& in = interval_;
     this->take_direction();
     const Number argument = this->chord_argument_ + deviation_ * in.normal.argument;

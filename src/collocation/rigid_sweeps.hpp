@@ -116,7 +116,7 @@ class RigidSweeps : public ArcSweeps<kWidth, kPlain> {
     ring_.differentiate(interval_.ring, this->nodes_, this->time_rate_);
   }
 
-  [[gnu::flatten]] double sweep(bool /*light*/) {  // as `solved_by` is
+  RUBATLAS_IN_ONE_FUNCTION double sweep(bool /*light*/) {
     if (this->ring_is_massless()) {
       place_ring();
       return this->move(ring_.place(interval_.ring) * (-machine_.ring.spring * machine_.force_unit));
