@@ -210,11 +210,18 @@ std::string contact_law_text(const settings::Scene& scene) {
 
 }  // namespace
 
-std::string note_on_support(const settings::Scene& scene) {
+std::vector<std::string> notes_on_effects(const settings::Scene& scene) {
+  std::vector<std::string> notes;
   const effects::Support support = scene.support.value_or(effects::Support{});
-  if (support.stiffness_xx == 0.0 && support.stiffness_yy == 0.0) return {};
-  return "Ω is the speed over /rotor/natural_frequency, and regions and triggers are looked for as if "
-         "/support had no stiffness";
+  if (support.stiffness_xx != 0.0 || support.stiffness_yy != 0.0)
+    notes.emplace_back(
+        "Ω is the speed over /rotor/natural_frequency, and regions and triggers are looked for as if "
+        "/support had no stiffness");
+  if (effects::acts<&effects::Effects::speed_ramp>(scene))
+    notes.emplace_back(
+        "Ω ramps, so that no motion repeats itself: aperiodic and unresolved points, and their regions, are "
+        "run-ups, and tell nothing of motions at constant speed");
+  return notes;
 }
 
 std::vector<std::string> facts(const Findings& found) {
@@ -233,7 +240,7 @@ std::vector<std::string> facts(const Findings& found) {
   }
   if (auto contacts = contacts_text(found); !contacts.empty()) sentences.push_back(std::move(contacts));
   if (!found.exponent_check.empty()) sentences.push_back(exponents_text(found));
-  if (const auto note = note_on_support(found.scene); !note.empty()) sentences.push_back(note + ".");
+  for (const std::string& note : notes_on_effects(found.scene)) sentences.push_back(note + ".");
   if (found.max_displacement.empty()) {
     sentences.emplace_back("The atlas has no `max_displacement`: no triggers, and no displacements.");
   }

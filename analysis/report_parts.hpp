@@ -12,8 +12,9 @@
 
 namespace rubatlas::analysis {
 
-/// That what is found does not follow the stiffness of a support; empty where there is none.
-std::string note_on_support(const settings::Scene& scene);
+/// What effects of a scene keep the rules from finding: they do not follow the stiffness of a support, and
+/// are those of motions at constant speed. Sentences without their full stop.
+std::vector<std::string> notes_on_effects(const settings::Scene& scene);
 
 /// Short sentences on what was examined: contact law, grid, points, classes.
 std::vector<std::string> facts(const Findings& found);

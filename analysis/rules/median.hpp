@@ -1,4 +1,4 @@
-/// The median of numbers, of an even number of them the upper of the two in the middle.
+/// The median of numbers, of an even number of them the mean of the two in the middle.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace rubatlas::analysis {
   if (values.empty()) return kNotANumber;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
-  return *middle;
+  return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 }  // namespace rubatlas::analysis

@@ -17,8 +17,8 @@ constexpr double kTriggerSearch = 1.0 / 12.0;
 /// Scaled width of the stretches whose displacements are compared, below and above a speed.
 constexpr double kTriggerStretch = 1.0 / 30.0;
 /// The displacement rises steeply where it grows by this factor from the stretch below to the stretch above.
-/// The forced response of a linear rotor, Ω²/(1 − Ω²), grows by at most 1.25 over the same distance below Ω =
-/// 3/4.
+/// The forced response of a linear rotor, Ω²/(1 − Ω²), grows by at most 1.33 over the same distance with
+/// three blades or more; two meet its resonance at the second trigger.
 constexpr double kTriggerRise = 1.5;
 
 struct Trigger {

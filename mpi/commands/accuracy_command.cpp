@@ -21,15 +21,6 @@
 namespace rubatlas::mpi {
 namespace {
 
-constexpr int kMostRepeats = 1000;
-
-void require_possible(const AccuracyCommand& command) {
-  if (command.repeats < 1 || command.repeats > kMostRepeats) {
-    throw UsageError(fmt::format("--repeats {}: outside [1, {}]; timed runs of each point", command.repeats,
-                                 kMostRepeats));
-  }
-}
-
 /// Methods that are named are compared, or refused.
 void say_what_is_left_out(const AccuracyLadders& ladders, const settings::Scene& scene) {
   const auto left_out = methods_left_out(scene);
@@ -44,7 +35,6 @@ int compute_accuracy(const AccuracyCommand& command) {
   const std::string text = settings::read_text(command.scene);
   const settings::Scene scene = settings::parse_scene(text, command.scene.string());
   const auto settings = accuracy_settings(command.ladders, scene);
-  require_possible(command);
   const atlas::Output output = atlas::permitted(
       {command.output, atlas::FileKind::accuracy, atlas::existing(command.overwrite)}, {command.scene});
   say_what_is_left_out(command.ladders, scene);

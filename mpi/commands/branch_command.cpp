@@ -227,7 +227,8 @@ int follow_branch(const BranchCommand& command) {
     // The branch's own end is the doubling of an orbit of half its period, which leads back to it.
     const branch::Event* doubling =
         nearest_event(events, branch::EventKind::period_doubling, value, start->period);
-    if (doubling == nullptr) throw UsageError("--switch: no period doubling on this branch to switch at");
+    if (doubling == nullptr)
+      throw UsageError("--switch: no period doubling among the orbits that were followed to switch at");
     auto doubled = continuation.follow_doubled(*doubling, most);
     if (!doubled) throw UsageError("--switch: the branch of doubled period could not be found");
     for (const branch::Event& event : doubled->events) say_sentence(sentence_of(event, command.along));
@@ -237,7 +238,8 @@ int follow_branch(const BranchCommand& command) {
   if (curve) {
     const branch::Event* event = nearest_event(events, curve->kind, value);
     if (event == nullptr)
-      throw UsageError(fmt::format("--curve {}: there is none on this branch", *command.curve));
+      throw UsageError(
+          fmt::format("--curve {}: there is none among the orbits that were followed", *command.curve));
     branch::Shooting both(scene, parameters, {varied(axes[along], along, value, {}), curve->quantity});
     branch::Orbit from = event->orbit;
     from.quantities.push_back(parameters[curve->in]);

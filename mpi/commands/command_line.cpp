@@ -49,11 +49,13 @@ constexpr std::array<std::string_view, 11> kCommands{
 /// That an option is a number within these limits, whole where they are.
 template <class Number>
 CLI::Validator within(Number least, Number most) {
-  const CLI::Validator range = CLI::Range(least, most);
   const auto check = [=](const std::string& word) {
     const char* const kind = std::is_integral_v<Number> ? "whole number" : "number";
-    return range(word).empty() ? std::string()
-                               : fmt::format("{} is no {} from {} to {}", word, kind, least, most);
+    Number number{};
+    // Of what is no number no comparison is true.
+    return CLI::detail::lexical_cast(word, number) && number >= least && number <= most
+               ? std::string()
+               : fmt::format("{} is no {} from {} to {}", word, kind, least, most);
   };
   return {check, ""};
 }
@@ -89,9 +91,15 @@ void check_command(int argument_count, const char* const* arguments) {
     throw UsageError(fmt::format("unknown option {}; before a command there are {}; commands are {}", word,
                                  fmt::join(kOptions, ", "), fmt::join(kCommands, ", ")));
   }
-  if (std::find(kCommands.begin(), kCommands.end(), word) != kCommands.end()) return;
-  throw UsageError(fmt::format("unknown command {}; commands are {}; nearest: {}", word,
-                               fmt::join(kCommands, ", "), settings::nearest(word, kCommands)));
+  if (std::find(kCommands.begin(), kCommands.end(), word) == kCommands.end())
+    throw UsageError(fmt::format("unknown command {}; commands are {}; nearest: {}", word,
+                                 fmt::join(kCommands, ", "), settings::nearest(word, kCommands)));
+  // A word of a shell's variable that is not set would stand for the default of an option.
+  for (int i = 2; i < argument_count; ++i) {
+    if (std::string_view(arguments[i]).empty())
+      throw UsageError(
+          fmt::format("the word after {} is empty; a name or a value is wanted", arguments[i - 1]));
+  }
 }
 
 /// The sentence of CLI11 without its line breaks, followed by a pointer to `--help`.
@@ -252,8 +260,10 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       "Default: 1e-4, 1e-5 ... 1e-12; of paper four pairs of tolerance and increment; fixed reads none");
   add_ladder("--force-increments", ladders.force_increments, "In N, of paper, each with every tolerance");
   add_ladder("--steps", ladders.steps, "In dimensionless time, of fixed; default: 2e-2 ... 1e-3");
-  accuracy->add_option("--repeats", accuracy_command.repeats,
-                       "Timed runs of each point, fewer where they are slow; default: 3");
+  accuracy
+      ->add_option("--repeats", accuracy_command.repeats,
+                   "Timed runs of each point, fewer where they are slow; default: 3")
+      ->check(within(1, 1000));
   add_progress(accuracy);
   accuracy->add_flag("--overwrite", accuracy_command.overwrite, "Replace an existing study; no other file");
 

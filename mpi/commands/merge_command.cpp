@@ -40,7 +40,7 @@ std::vector<atlas::AtlasReader> read_parts(const std::vector<std::filesystem::pa
 /// Parts of one atlas have the same scene, which was divided into the same number of parts.
 void require_parts_of_one_atlas(const atlas::AtlasReader& one, const atlas::AtlasReader& other) {
   const std::string name = other.path().string();
-  const std::string difference = settings::difference(one.scene_resolved(), other.scene_resolved());
+  const std::string difference = settings::difference(other.scene_resolved(), one.scene_resolved());
   if (!difference.empty()) {
     throw UsageError(
         fmt::format("{} was made from another scene than {}: {}", name, one.path().string(), difference));

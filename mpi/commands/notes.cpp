@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -253,7 +254,7 @@ std::vector<std::string> notes_on(const settings::Scene& scene, const CostEstima
                     "in contact",
                     length(farthest_start(scene, -scene.rotor.misalignment)), length(scene.clearance())));
   }
-  if (auto note = analysis::note_on_support(scene); !note.empty()) result.push_back(std::move(note));
+  std::ranges::move(analysis::notes_on_effects(scene), std::back_inserter(result));
   if (scene.grid.speed_ratio.back() > 1.0) {
     result.emplace_back(
         "speeds beyond Ω = 1 reach the border of the model, where blades can no longer push a rotor back "

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "atlas/environment_error.hpp"
+#include "atlas/output.hpp"
 
 namespace rubatlas::atlas {
 
@@ -27,7 +28,7 @@ std::string readable_bytes(std::uint64_t bytes) {
 
 void require_space(const std::filesystem::path& path, std::uint64_t bytes, std::string_view made_of,
                    std::uint64_t length) {
-  const std::filesystem::path directory = path.has_parent_path() ? path.parent_path() : ".";
+  const std::filesystem::path directory = directory_of(path);
   struct statvfs file_system {};
   if (::statvfs(directory.c_str(), &file_system) != 0) {
     throw EnvironmentError(fmt::format("cannot write in {}: {}", directory.string(), std::strerror(errno)));

@@ -1,9 +1,12 @@
 #include "atlas/output.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <string_view>
 
@@ -108,7 +111,17 @@ void require_replaceable(const Wish& wish) {
                                   words_of(wish.kind), is_plural ? words_of(wish.kind) : "another"));
 }
 
+/// Files appear by being renamed. Throws EnvironmentError.
+void require_folder(const std::filesystem::path& given, const std::filesystem::path& place) {
+  if (::access(directory_of(place).c_str(), W_OK | X_OK) == 0) return;
+  throw EnvironmentError(fmt::format("cannot write {}: {}", given.string(), std::strerror(errno)));
+}
+
 }  // namespace
+
+std::filesystem::path directory_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
+}
 
 const char* words_of(FileKind kind) {
   return entry(kind).words;
@@ -137,10 +150,6 @@ std::string other_than(const std::filesystem::path& path, FileKind wanted) {
 }
 
 Output permitted(const Wish& wish, const std::vector<std::filesystem::path>& others) {
-  if (wish.path.empty()) {
-    throw OutputRefusal(
-        fmt::format("the file for {} has an empty name; a path is wanted", words_of(wish.kind)));
-  }
   const auto place = followed(wish.path);
   for (const auto& other : others) {
     if (is_same(place, other)) {
@@ -150,7 +159,10 @@ Output permitted(const Wish& wish, const std::vector<std::filesystem::path>& oth
   }
   std::error_code error;
   const auto status = std::filesystem::status(place, error);
-  if (!std::filesystem::exists(status)) return {place, false};
+  if (!std::filesystem::exists(status)) {
+    require_folder(wish.path, place);
+    return {place, false};
+  }
   if (!std::filesystem::is_regular_file(status)) {
     throw OutputRefusal(
         fmt::format("{} is {}; the output must be a file", wish.path.string(), what_else(status.type())));
@@ -159,8 +171,10 @@ Output permitted(const Wish& wish, const std::vector<std::filesystem::path>& oth
     throw OutputRefusal(
         fmt::format("{} exists; {}--overwrite replaces it", wish.path.string(), wish.instead));
   }
-  if (wish.if_there == Existing::replace) require_replaceable(wish);
-  return {place, wish.if_there == Existing::replace};
+  if (wish.if_there == Existing::keep) return {place, false};
+  require_replaceable(wish);
+  require_folder(wish.path, place);
+  return {place, true};
 }
 
 }  // namespace rubatlas::atlas

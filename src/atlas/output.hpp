@@ -47,6 +47,9 @@ struct Output {
   bool overwrite = false;  ///< may replace what stands there
 };
 
+/// The folder that a file lies in.
+std::filesystem::path directory_of(const std::filesystem::path& path);
+
 /// What to do with a file that is there.
 enum class Existing : std::uint8_t { refuse, replace, keep };
 constexpr Existing existing(bool overwrite) {
@@ -62,7 +65,8 @@ struct Wish {
 };
 
 /// The output with its links followed, if it may be written. `others` are the files that the command reads,
-/// and its other outputs. Changes nothing on the disk. Throws OutputRefusal.
+/// and its other outputs. Changes nothing on the disk. Throws OutputRefusal, and EnvironmentError where its
+/// folder takes no files.
 Output permitted(const Wish& wish, const std::vector<std::filesystem::path>& others);
 
 }  // namespace rubatlas::atlas

@@ -18,10 +18,6 @@
 namespace rubatlas::atlas {
 namespace {
 
-std::filesystem::path directory_of(const std::filesystem::path& path) {
-  return path.has_parent_path() ? path.parent_path() : ".";
-}
-
 /// Short, so that the name stays within the limit of the file system for any output.
 std::filesystem::path random_name(const std::filesystem::path& directory) {
   std::random_device chance;

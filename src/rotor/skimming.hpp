@@ -1,5 +1,5 @@
 /// What keeps a tip on the ring that skims it (MODEL 4.9): the share λ of its force under which g'' vanishes,
-///     g'' (free) + λ g'' (full force) = 0
+///     g'' (free) + λ (g'' (full force) − g'' (free)) = 0
 /// (Filippov, Differential Equations with Discontinuous Righthand Sides, 1988, §4: the convex combination of
 /// the two sides; in λ also the share of time that hops spend in contact).
 #pragma once

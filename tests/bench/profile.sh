@@ -1,5 +1,5 @@
 #!/bin/bash
-# Instructions that `hybrid` takes, counted by callgrind: the same on a busy machine and on an idle one.
+# Instructions of a point of the default rotor, counted by callgrind: the same on a busy machine and on an idle one.
 #
 #   ./tests/bench/profile.sh [SPEED_RATIO [REVOLUTIONS [TOLERANCE [OBSERVABLE...]]]]     default: 0.62 60 1e-9 poincare
 #
@@ -16,10 +16,10 @@ new_tree=()
 # Line tables only name the source of an instruction; they change none.
 [ -e "$build/CMakeCache.txt" ] || new_tree=(-G Ninja -DCMAKE_CXX_FLAGS=-g)
 cmake -S . -B "$build" "${new_tree[@]}" -DRUBATLAS_BENCH=ON >/dev/null
-cmake --build "$build" --target hybrid_point --parallel "${RUBATLAS_BENCH_JOBS:-$(nproc)}" >/dev/null
+cmake --build "$build" --target default_point --parallel "${RUBATLAS_BENCH_JOBS:-$(nproc)}" >/dev/null
 
 out=$build/callgrind.out
 valgrind --quiet --tool=callgrind --callgrind-out-file="$out" --toggle-collect='run_point(*' \
-  "$build/tests/bench/hybrid_point" "${arguments[@]}" | tee "$build/hybrid_point.txt"
+  "$build/tests/bench/default_point" "${arguments[@]}" | tee "$build/default_point.txt"
 callgrind_annotate --threshold=100 --auto=no --show-percs=no "$out" >"$build/callgrind.txt"
-/usr/bin/python3 tests/bench/profile_table.py "$build/callgrind.txt" "$build/hybrid_point.txt" "${arguments[1]}"
+/usr/bin/python3 tests/bench/profile_table.py "$build/callgrind.txt" "$build/default_point.txt" "${arguments[1]}"

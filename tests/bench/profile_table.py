@@ -1,4 +1,4 @@
-"""Table of a callgrind profile: profile_table.py CALLGRIND_ANNOTATE_TEXT HYBRID_POINT_TEXT REVOLUTIONS."""
+"""Table of a callgrind profile: profile_table.py CALLGRIND_ANNOTATE_TEXT DEFAULT_POINT_TEXT REVOLUTIONS."""
 import collections
 import os
 import re

@@ -168,7 +168,8 @@ TEST_F(Accuracy, WhatCannotBeStudiedIsRefusedInOneSentenceBeforeAnyFile) {
   EXPECT_EQ(refused("s.json -o a.h5 --tolerances 1e-14"),
             "rubatlas: --tolerances 1e-14: below 1e-13; the reference run is 10 times tighter\n");
   EXPECT_EQ(refused("s.json -o a.h5 --repeats 0"),
-            "rubatlas: --repeats 0: outside [1, 1000]; timed runs of each point\n");
+            "rubatlas: --repeats: 0 is no whole number from 1 to 1000; rubatlas accuracy --help shows what "
+            "is possible\n");
   EXPECT_EQ(refused("s.json -o s.json --overwrite"),
             "rubatlas: s.json and s.json are the same file, and a study of accuracy would replace it\n");
   EXPECT_NE(refused("s.json -o a.h5 --progress barr").find("nearest: bar"), std::string::npos);

@@ -152,6 +152,23 @@ TEST(Notes, ASupportThatChangesTheNaturalFrequencyIsNamed) {
   EXPECT_EQ(notes(R"("support": {"damping_xx": 1})").find(words), std::string::npos);
 }
 
+TEST(Notes, RunUpsHaveNoRegionsOfMotionsAtConstantSpeed) {
+  const std::string words = "run-ups, and tell nothing of motions at constant speed";
+  EXPECT_NE(notes(R"("speed_ramp": {"rate": 1e-4})").find(words), std::string::npos);
+  EXPECT_EQ(notes(R"("speed_ramp": {"rate": 0})").find(words), std::string::npos);
+}
+
+TEST(Notes, TheReportOfAnAtlasSaysWhatEffectsKeepItFromFinding) {
+  const Workplace place;
+  static_cast<void>(
+      place.write("s.json", R"({"grid": {"speed_ratio": [0.5, 0.6]}, "support": {"stiffness_xx": 100},
+        "speed_ramp": {"rate": 1e-4}, "protocol": {"transient_revolutions": 2, "sampled_revolutions": 6}})"));
+  ASSERT_EQ(place.rubatlas("run s.json -o a.h5 --progress off").code, 0);
+  const std::string report = place.rubatlas("analyse a.h5 -o m.h5").output;
+  EXPECT_NE(report.find("no motion repeats itself"), std::string::npos) << report;
+  EXPECT_NE(report.find("looked for as if /support had no"), std::string::npos) << report;
+}
+
 TEST(Notes, ARunSaysThatNothingHasTouched) {
   const Workplace place;
   const auto said = [&](double moment) {

@@ -70,8 +70,11 @@ TEST(CommandLine, AWrongCallIsOneSentenceAndExitCodeTwo) {
       "rubatlas: unknown option --foo; before a command there are --help, -h, --version; commands are run, "
       "status, explain, orbit, branch, analyse, edges, accuracy, verify, merge, pack\n");
   static_cast<void>(place.write("s.json", kSmallScene));
-  EXPECT_EQ(says("run s.json -o ''"),
-            "rubatlas: the file for an atlas has an empty name; a path is wanted\n");
+  EXPECT_EQ(says("run s.json -o ''"), "rubatlas: the word after -o is empty; a name or a value is wanted\n");
+  EXPECT_EQ(says("run s.json -o a.h5 --part ''"),
+            "rubatlas: the word after --part is empty; a name or a value is wanted\n");
+  EXPECT_NE(says("explain s.json --measure nan").find("--measure: nan is no number from 0 to"),
+            std::string::npos);
   EXPECT_NE(says("verify a.h5 --recompute -1").find("--recompute: -1 is no whole number from 0 to"),
             std::string::npos);
 }

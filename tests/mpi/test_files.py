@@ -86,6 +86,15 @@ class Outputs(FileTest):
         self.assertEqual(atlas.read_bytes(), before)
         self.assertEqual(json.loads((self.directory / "scene.json").read_text())["title"], "short lines")
 
+    def test_a_folder_that_is_not_there_is_told_before_anything_is_written(self):
+        atlas = self.fill(None, scene())
+        before = sorted(os.listdir(self.directory))
+        for arguments in (("analyse", atlas.name, "-o", "maps.h5", "--table", "nowhere/table.md"),
+                          ("orbit", "scene.json", "--at", POINT, "-o", "nowhere/o.h5"),
+                          ("run", "scene.json", "-o", "nowhere/a.h5")):
+            self.assert_refused(self.execute(None, *arguments), 3, f"cannot write {arguments[-1]}: No such file")
+        self.assertEqual(sorted(os.listdir(self.directory)), before)
+
     def test_nothing_is_left_beside_an_output_that_failed(self):
         self.write_scene(scene())
         size = self.fill(None, scene(), "whole.h5").stat().st_size

@@ -216,7 +216,7 @@ class PartRefusals(PartTest):
         self.assert_refused(self.merge([first, third]), 2, "part1of2.h5 is part 1/2 and part3of3.h5 is part 3/3",
                             "not parts of one division")
         self.assert_refused(self.merge([first, other]), 2, "part2of3.h5 was made from another scene than part1of2.h5",
-                            "/sweep")
+                            '/sweep is "down" in the first and "up" in the second')
         self.assert_refused(self.merge([first, "letter.h5"]), 3, "letter.h5", "cannot be opened")
         self.assert_refused(self.merge([first, "nowhere.h5"]), 3, "nowhere.h5", "No such file")
         self.assert_refused(self.merge([first, second], first), 2, "the same file")

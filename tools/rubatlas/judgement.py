@@ -3,7 +3,7 @@
 A limit is a dataset with one number per point, or one of the maps, <= or >=, and a number, with a unit or without
 (`rubatlas.query`). A speed is safe if every line keeps every limit there, and no motion is aperiodic. What does not
 occur keeps its limit: a miss where no tip passes the ring, a margin where the motion never changes. A point that is not
-done keeps none.
+done keeps none. A run-up, whose speed ramps, is judged by its limits alone: no motion repeats itself in it.
 """
 import numpy as np
 
@@ -113,6 +113,9 @@ class Judgement:
         if selected is not None:
             self.unselected = ~selected[chosen].reshape(self.status.shape).all(axis=0)
         self.aperiodic = np.zeros(len(self.speed), dtype=bool)
+        self.ramps = bool((atlas.scene.get("speed_ramp") or {}).get("rate")) or \
+            ("speed_ramp", "rate") in swept_pointers(atlas.scene).values()
+        aperiodic = aperiodic or self.ramps
         if maps is not None and not aperiodic and "class" not in [limit.name for limit in self.limits]:
             classes = maps.dataset("class")[...][chosen].reshape(self.status.shape)
             self.aperiodic = ((classes == APERIODIC_CLASS) & (self.status == DONE)).any(axis=0)
@@ -260,6 +263,8 @@ class Judgement:
 
     def notes(self):
         found = [note for limit in self.limits if (note := limit.idle())]
+        if self.ramps:
+            found.append("run-ups are judged by these limits alone: while the speed ramps no motion repeats itself")
         if self.maps is None and not self.aperiodic_may_be_safe:
             found.append("aperiodic motions are not left out, since the maps of `rubatlas analyse` are not here")
         narrow = bands_of(self.kept & ~self.safe)

@@ -43,7 +43,6 @@ class Signature(NamedTuple):
     breadth: Numbers
     #: √(bins between the lines · median of their power / ln 2): `between` for white noise, whose bins have powers with
     #: a median of ln 2 times the mean, and 0 for lines, which never stand in half of the bins. A broad band's height.
-    #: The median of an even number is the upper of the middle two.
     broad: Numbers
 
 
@@ -87,7 +86,7 @@ def signature(orders: Any, amplitudes: Any, blades: int = 3, highest: float | No
     largest = beside.max(axis=-1)
     power = beside**2
     total, everything = power.sum(axis=-1), (amplitude[..., vibration] ** 2).sum(axis=-1)
-    median = np.where(known, np.sort(power, axis=-1)[..., place.size // 2], np.nan)
+    median = np.median(power, axis=-1)
     with np.errstate(invalid="ignore", divide="ignore"):  # 0/0 where there is nothing
         centroid = power @ place / total
         width = np.sqrt((power * (place - centroid[..., np.newaxis]) ** 2).sum(axis=-1) / total)

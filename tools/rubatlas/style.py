@@ -14,6 +14,7 @@ from matplotlib import cbook
 from matplotlib.font_manager import FontProperties
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
+from matplotlib.text import Text
 from matplotlib.textpath import text_to_path
 from matplotlib.transforms import ScaledTranslation
 
@@ -113,6 +114,11 @@ def label(atlas, name):
     return label_of(name, drawn(atlas.units(name))[0])
 
 
+def width_of(text, size):
+    """Of a line of letters of a size [pt]."""
+    return text_to_path.get_text_width_height_descent(text, FontProperties(size=size), cbook.is_math_text(text))[0]
+
+
 def rpm_axis(panel, sizes, upwards=False):
     """A second axis of the speed, in rpm, above or (`upwards`) on the left; none where the lines have several natural
     frequencies. `sizes`: of the atlas."""
@@ -121,7 +127,10 @@ def rpm_axis(panel, sizes, upwards=False):
         return
     both = {"functions": (lambda speed: speed * rpm, lambda speed: speed / rpm)}
     if upwards:
-        second = panel.secondary_yaxis(-0.11 * 8.5 / panel.figure.get_figwidth(), **both)
+        # Beyond the words of the first one: [pt], in shares of a panel that has four fifths of the picture.
+        ticks = panel.yaxis.get_major_formatter().format_ticks(panel.get_yticks())
+        beyond = 40.0 + max(width_of(tick, plt.rcParams["ytick.labelsize"]) for tick in ticks)
+        second = panel.secondary_yaxis(-beyond / (0.8 * 72.0 * panel.figure.get_figwidth()), **both)
         second.set_alignment("left")
         second.set_ylabel("Speed [rpm]")
     else:
@@ -142,10 +151,11 @@ def title(made, atlas, what):
                    fontsize=CREDIT, color=GREY, x=0.01, ha="left")
 
 
-def _wrap(text, excess):
-    """Breaks the lines of a text until `excess()` [pixel] is none; returns by how many lines it has grown."""
-    words = text.get_text()
-    lines = words.split("\n")
+def _wrap(text, whole, excess):
+    """Breaks the lines of a text until `excess()` [pixel] is none; returns by how many lines it has grown. `whole`: its
+    words as they were given; it may have been broken before, in another place."""
+    before = text.get_text()
+    lines = whole.split("\n")
 
     def too_long(letters):
         text.set_text("\n".join(textwrap.fill(line, letters) for line in lines))
@@ -155,7 +165,7 @@ def _wrap(text, excess):
         least = 10
         shorter = bisect.bisect_left(range(least, max(map(len, lines))), True, key=too_long)
         too_long(least + max(0, shorter - 1))
-    return text.get_text().count("\n") - words.count("\n")
+    return text.get_text().count("\n") - before.count("\n")
 
 
 def _place(made):
@@ -168,10 +178,15 @@ def _place(made):
 def wrap_words(made):
     """Breaks the lines of titles and labels that would be cut; the picture becomes taller by the lines of titles.
     Everything then stays in its place: to find it again takes longer than to draw it."""
+    given: dict[Text, str] = {}
+
+    def broken_lines(text, excess):
+        return _wrap(text, given.setdefault(text, text.get_text()), excess)
+
     def break_titles(titles):
         broken = 0
         for text in titles:
-            more = _wrap(text, lambda text=text: text.get_window_extent().x1 - made.bbox.x1 + 4.0)
+            more = broken_lines(text, lambda text=text: text.get_window_extent().x1 - made.bbox.x1 + 4.0)
             made.set_figheight(made.get_figheight() + 1.2 * more * text.get_fontsize() / 72.0)
             broken += more
         return broken
@@ -180,8 +195,8 @@ def wrap_words(made):
         broken = 0
         for axes in made.axes:
             room = axes.bbox.height + axes.yaxis.label.get_fontsize()  # it may reach half into the space between panels
-            broken += _wrap(axes.yaxis.label,
-                            lambda axes=axes, room=room: axes.yaxis.label.get_window_extent().height - room)
+            broken += broken_lines(
+                axes.yaxis.label, lambda axes=axes, room=room: axes.yaxis.label.get_window_extent().height - room)
         return broken
 
     break_titles(text for text in (made._suptitle, made._supxlabel) if text is not None)  # wherever panels stand
@@ -196,9 +211,7 @@ def columns_of(panel, handles):
     """Columns and lines of a legend that is as wide as the panel's part of the picture."""
     size = plt.rcParams["legend.fontsize"]
     texts = [line for handle in handles for line in handle.get_label().split("\n")]
-    letters = FontProperties(size=size)
-    widest = max(text_to_path.get_text_width_height_descent(text, letters, cbook.is_math_text(text))[0]
-                 for text in texts)
+    widest = max(width_of(text, size) for text in texts)
     place = panel.get_subplotspec()
     shares = np.array(place.get_gridspec().get_width_ratios(), dtype=float)
     width = 72.0 * panel.figure.get_figwidth() * shares[place.colspan.start:place.colspan.stop].sum() / shares.sum()
@@ -259,6 +272,14 @@ def image_into(panel, values, place, **look):
     (left, right), (bottom, top) = (borders[[0, -1]] for borders in place)
     return panel.imshow(values[np.ix_(*map(_parts, reversed(place)))], origin="lower", aspect="auto",
                         interpolation="nearest", extent=(left, right, bottom, top), **look)
+
+
+def colour_bar(image, label, **place):
+    """The colour bar of an image, beside the panel `ax` or in the panel `cax`; none if no cell has a value."""
+    if image.get_array().count():
+        image.figure.colorbar(image, label=label, **place)
+    elif "cax" in place:
+        place["cax"].set_axis_off()
 
 
 def look(entry, density=4, ink=QUIET):

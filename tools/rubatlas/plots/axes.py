@@ -95,7 +95,7 @@ class Plots:
         line = self._picked(line)
         with _panel(ax) as panel, self._file() as atlas:
             image, _ = waterfall.into(panel, atlas.line(**line), max_frequency)
-            panel.figure.colorbar(image, ax=panel, pad=0.02, label=waterfall.bar_label(atlas))
+            style.colour_bar(image, waterfall.bar_label(atlas), ax=panel, pad=0.02)
             return panel
 
     def displacement(self, ax: Axes | None = None, along: str | None = None, **line: Any) -> Axes:
@@ -121,7 +121,7 @@ class Plots:
             else:
                 image, _ = map_of.into(panel, atlas, along, line, quantity)
                 label = f"{quantity.replace('_', ' ')} [{style.drawn(atlas.units(quantity))[0]}]"
-                panel.figure.colorbar(image, ax=panel, pad=0.02, label=label)
+                style.colour_bar(image, label, ax=panel, pad=0.02)
             return self._finished(panel, ax)
 
     def margin(self, ax: Axes | None = None, name: str = "speed_ratio", along: str | None = None, **line: Any) -> Axes:
@@ -129,7 +129,7 @@ class Plots:
         line = self._picked(line)
         with _panel(ax) as panel, self._file() as atlas, self._maps() as maps:
             image, _ = margin.into(panel, atlas, maps, displacement.along_of(atlas, along, line), line, name)
-            panel.figure.colorbar(image, ax=panel, pad=0.02, label=margin.label(maps, name))
+            style.colour_bar(image, margin.label(maps, name), ax=panel, pad=0.02)
             return self._finished(panel, ax)
 
     def spectrum(self, speed_ratio: float, ax: Axes | None = None, method: str | None = None, **line: Any) -> Axes:

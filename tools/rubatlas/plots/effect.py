@@ -29,9 +29,12 @@ def draw(options):
             for (x, y), colour in zip(curves[::-1], ((style.INK,), (style.INK, style.GREY))[column]):
                 style.curve(panels[1, column], x, y, color=colour, zorder=2 if colour == style.INK else 1)
             handles = style.mark_missing(panels[:, column], speed, line.status())
+            if column == 1:
+                handles += [style.plt.Line2D([], [], color=style.GREY, lw=0.9, label="without"),
+                            style.plt.Line2D([], [], color=style.INK, lw=0.9, label="with")]
             panels[1, column].set_xlabel(style.label(source, "speed_ratio"))
             panels[1, column].label_outer()
-            style.legend(panels[1 if style.is_narrow(options) else 0, column], options, handles, "upper left")
+            style.legend(panels[1, column], options, handles, "upper left")
             panels[0, column].set_xlim(*style.limits_of(speed))
             panels[0, column].set_title(name, loc="right")
             style.rpm_axis(panels[0, column], source.sizes())

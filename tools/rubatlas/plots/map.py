@@ -126,8 +126,7 @@ def draw(options):
         panels = [figure.add_subplot(grid[row, 0]) for row in range(count)]
         sides = [figure.add_subplot(grid[row, 1]) for row in range(count)]
         image, handles = into(panels[0], atlas, along, wanted)
-        figure.colorbar(image, cax=sides[0],
-                        label=f"Max. displacement [{style.drawn(atlas.units('max_displacement'))[0]}]")
+        style.colour_bar(image, f"Max. displacement [{style.drawn(atlas.units('max_displacement'))[0]}]", cax=sides[0])
         if maps is not None:
             handles = classes_into(panels[1], atlas, maps, along, wanted, options.passing)
             sides[1].set_axis_off()

@@ -63,10 +63,12 @@ def draw(options):
         along, lines, _ = rows_of(atlas, along_of(atlas, options.along, wanted), wanted)
         names = [name for name in NAMES if dataset_of(name) in maps] or ["speed_ratio"]
         figure, panels = style.subplots(options, len(names), 1, size_of(options, len(names), lines))
+        handles = {}  # of both panels, by their words
         for panel, name in zip(panels[:, 0], names):
-            image, handles = into(panel, atlas, maps, along, wanted, name)
-            figure.colorbar(image, ax=panel, pad=0.01, label=label(maps, name))
-        style.legend(panels[-1, 0], options, handles, "below")
+            image, found = into(panel, atlas, maps, along, wanted, name)
+            handles.update({handle.get_label(): handle for handle in found})
+            style.colour_bar(image, label(maps, name), ax=panel, pad=0.01)
+        style.legend(panels[-1, 0], options, list(handles.values()), "below")
         style.rpm_axis(panels[0, 0], atlas.sizes())
         style.title(figure, atlas, panels[0, 0].get_title(loc="left") + ": " + lines[0].describe(without=[along]))
         style.save(figure, options)

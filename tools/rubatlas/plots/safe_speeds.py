@@ -61,10 +61,13 @@ def require_json_place(options):
 def draw_picture(atlas, judgement, options, what):
     limits = judgement.limits
     figure, panels = style.subplots(options, len(limits), 1, (9.5, 1.3 + 1.8 * len(limits)), sharex=True)
+    border = style.edges_of(judgement.speed)
     for panel, limit in zip(panels[:, 0], limits):
         unit, factor = style.drawn(limit.units)
         for first, last in bands_of(judgement.safe):
             panel.axvspan(*judgement.speed[[first, last]], color=style.GREEN, alpha=0.18, lw=0, zorder=0)
+        for first, last in bands_of(judgement.aperiodic):
+            panel.axvspan(*border[[first, last + 1]], color=style.INK, alpha=0.1, lw=0, zorder=0)
         gaps = style.mark_missing(panel, judgement.speed, judgement.status)
         style.curve(panel, judgement.speed, factor * limit.worst(), color=style.BLUE)
         panel.axhline(factor * limit.bound, color=style.VERMILION, lw=0.9, ls=(0, (4, 3)))
@@ -79,6 +82,8 @@ def draw_picture(atlas, judgement, options, what):
         if options.operate is not None:
             panel.axvline(judgement.speed_of(options.operate), color=style.INK, lw=0.9)
     handles = [style.Patch(color=style.GREEN, alpha=0.18, label=f"every limit is kept\nin {judgement.sweeps()}"),
+               *([style.Patch(color=style.INK, alpha=0.1, label="aperiodic motion,\nwhich is in no band")]
+                 if judgement.aperiodic.any() else []),
                style.plt.Line2D([], [], color=style.BLUE, lw=0.9, label="the line nearest to the limit"),
                style.plt.Line2D([], [], color=style.VERMILION, lw=0.9, ls=(0, (4, 3)), label="limit")]
     if options.operate is not None:

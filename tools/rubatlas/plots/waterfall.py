@@ -15,6 +15,9 @@ from rubatlas import style
 from rubatlas.atlas_file import AtlasFile
 
 
+LEAST = 1e-9  # [mm] that can be a vibration
+
+
 def by_frequency(speed, order, amplitude, edges):
     """Regrids each speed's line spectrum to frequency bins; a bin holds the largest amplitude that falls into it.
 
@@ -94,7 +97,10 @@ def into(panel, line, max_frequency=None):
     edges = np.linspace(0.0, top, 501)
     shown = factor * by_frequency(speed, order, amplitude, edges)
     largest = np.nanmax(shown, initial=0.0)
-    floor = 1e-6 * largest if largest > 0 else 1e-12
+    if largest == 0.0:
+        style.say_if_below(panel, shown, LEAST, " mm")
+        shown[:] = np.nan
+    floor = 1e-6 * max(largest, LEAST)
     rows = style.edges_of(speed)
     image = style.image_into(panel, np.ma.masked_invalid(np.maximum(shown, floor)), (edges, rows), cmap="magma",
                              norm=style.matplotlib.colors.LogNorm(floor, max(largest, 10 * floor)))
@@ -119,7 +125,7 @@ def draw(options):
         style.rpm_axis(panel, atlas.sizes(), upwards=True)
         # The marks of the orders stand on the right.
         where = "bottom" if style.is_narrow(options) else "right"
-        figure.colorbar(image, ax=panel, pad=0.02, location=where, label=bar_label(atlas))
+        style.colour_bar(image, bar_label(atlas), ax=panel, pad=0.02, location=where)
         style.legend(panel, options, gaps, "below")
         style.title(figure, atlas, line.describe() + "\n\n")
         style.save(figure, options)

@@ -1,6 +1,6 @@
 /// One grid point of the default rotor, alone in a process: what a profiler looks at (profile.sh).
 ///
-///   hybrid_point SPEED_RATIO REVOLUTIONS TOLERANCE [OBSERVABLE...]
+///   default_point SPEED_RATIO REVOLUTIONS TOLERANCE [OBSERVABLE...]
 ///
 /// From rest, two thirds of the revolutions transient; observables default to `poincare`. Prints what the
 /// point cost as counts, and a hash of the sections' bytes, which tells whether a change has changed results.
@@ -54,13 +54,13 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   if (argc < 4) {
-    fmt::print(stderr, "usage: hybrid_point SPEED_RATIO REVOLUTIONS TOLERANCE [OBSERVABLE...]\n");
+    fmt::print(stderr, "usage: default_point SPEED_RATIO REVOLUTIONS TOLERANCE [OBSERVABLE...]\n");
     return 2;
   }
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "hybrid_point: {}\n", error.what());
+    fmt::print(stderr, "default_point: {}\n", error.what());
     return 2;
   }
 }
