@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/rules/doublings.hpp"
+#include "analysis/rules/median.hpp"
 #include "analysis/rules/stretches.hpp"
 #include "synthetic_line.hpp"
 
@@ -40,6 +41,12 @@ TEST(Regions, AreTheFourOfThePapersPicture) {
   EXPECT_DOUBLE_EQ(regions[1].peak_displacement, 1e-2);
   EXPECT_DOUBLE_EQ(regions[2].peak_displacement, 5e-3);
   EXPECT_DOUBLE_EQ(regions[3].peak_displacement, 2e-2);
+}
+
+TEST(Regions, HaveTheMeanOfTheMiddleTwoAsTheMedianOfAnEvenNumberOfPoints) {
+  EXPECT_EQ(median({4.0, 1.0, 3.0}), 3.0);
+  EXPECT_EQ(median({8.0, 1.0, 2.0, 3.0}), 2.5);
+  EXPECT_TRUE(std::isnan(median({})));
 }
 
 TEST(Regions, ScaleWithTheNumberOfBlades) {

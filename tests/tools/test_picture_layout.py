@@ -8,6 +8,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import textwrap
 import unittest
 import unittest.mock
 
@@ -153,6 +154,16 @@ class Layout(unittest.TestCase):
         self.assertIn("\n", figure._suptitle.get_text())
         self.assertEqual(figure._suptitle.get_text().split(), LONG.split())
         self.assertGreater(figure.get_figheight(), 2.0)
+
+    def test_words_that_are_broken_again_are_broken_as_they_were_given(self):
+        text = style.plt.figure(figsize=(3.0, 2.0)).suptitle(LONG)
+
+        def too_wide(room):
+            return lambda: max(map(len, text.get_text().split("\n"))) - room
+        style._wrap(text, LONG, too_wide(40))
+        more = style._wrap(text, LONG, too_wide(30))
+        self.assertEqual(text.get_text(), textwrap.fill(LONG, 30))
+        self.assertEqual(more, text.get_text().count("\n") - textwrap.fill(LONG, 40).count("\n"))
 
     def test_a_width_is_a_length_with_its_unit(self):
         with tempfile.TemporaryDirectory() as folder:

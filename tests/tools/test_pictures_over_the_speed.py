@@ -1,4 +1,5 @@
 """Pictures over the speed: sections, displacements, spectra, margins and signs of rubbing."""
+import argparse
 import importlib
 import os
 import pathlib
@@ -6,6 +7,7 @@ import shutil
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import h5py
 import numpy as np
@@ -17,6 +19,7 @@ from pictures import TINY, Figure, PicturesCase, run  # noqa: E402
 from rubatlas import style  # noqa: E402
 from rubatlas.atlas_file import AtlasFile  # noqa: E402
 from rubatlas.palette import PALETTE  # noqa: E402
+from rubatlas.plots import waterfall  # noqa: E402
 
 
 class PicturesOverTheSpeed(PicturesCase):
@@ -148,6 +151,27 @@ class PicturesOverTheSpeed(PicturesCase):
                                            first * 10.0 * 30 / np.pi)  # natural frequency 10 rad/s
         rpm = Figure("displacement", TINY / "rings.h5").figure.axes[0].child_axes
         self.assertEqual(len(rpm), 1, "two rings have one natural frequency")
+
+    def test_the_axis_in_rpm_stands_beyond_the_words_of_the_speed(self):
+        panel = style.subplots(argparse.Namespace(width=None), 1, 1, (8.5, 6.2))[1][0, 0]
+        panel.set_ylim(0.6870, 0.6880)
+        panel.set_ylabel("Speed ratio")
+        style.rpm_axis(panel, {"radian_per_second": 0.1}, upwards=True)
+        panel.figure.draw_without_rendering()
+        second, = panel.child_axes
+        beyond = second.spines["left"].get_window_extent().x1
+        self.assertLess(beyond, panel.yaxis.label.get_window_extent().x0)
+
+    def test_a_spectrum_without_any_vibration_is_no_picture_of_one(self):
+        with AtlasFile(TINY / "atlas.h5") as atlas:
+            line = atlas.line(damping_ratio=0.1)
+            rows = {"spectrum": np.zeros_like(line.rows("spectrum"))}
+            panel = style.subplots(argparse.Namespace(width=None), 1, 1, (8.5, 6.2))[1][0, 0]
+            with unittest.mock.patch.object(line, "rows", rows.get):
+                image, _ = waterfall.into(panel, line)
+            style.colour_bar(image, "amplitude", ax=panel)
+        self.assertEqual(len(panel.figure.axes), 1, "nothing has a colour")
+        self.assertIn("below 1e-09 mm at all speeds", [text.get_text() for text in panel.texts])
 
     def test_where_there_is_no_margin_the_legend_says_why(self):
         texts = [text.get_text() for axes in Figure("margin", TINY / "atlas.h5", "--maps", TINY / "maps.h5").figure.axes

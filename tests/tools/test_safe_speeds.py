@@ -258,6 +258,22 @@ class SafeSpeeds(unittest.TestCase):
         result, text = self.bands("--keep", "max_displacement<=12 mm", "--aperiodic", "--direction", "down", atlas=both)
         self.assertIn("the sweep up has another motion, which keeps every limit", text)
 
+    def test_a_run_up_is_judged_by_its_limits_alone(self):
+        for name in ("atlas.h5", "maps.h5"):
+            shutil.copy(TINY / name, self.folder / name)
+        with h5py.File(self.folder / "maps.h5", "r+") as maps:
+            maps["class"][...] = APERIODIC
+        wanted = "--keep", "max_displacement<=50 mm", "--maps", self.folder / "maps.h5"
+        self.assertEqual(self.bands(*wanted)[0]["bands"], [])
+        for name in ("atlas.h5", "maps.h5"):
+            with h5py.File(self.folder / name, "r+") as file:
+                scene = json.loads(file["scene_resolved"][()])
+                del file["scene_resolved"]
+                file["scene_resolved"] = json.dumps({**scene, "speed_ramp": {"rate": 1e-4}})
+        result, text = self.bands(*wanted, atlas=self.folder / "atlas.h5")
+        self.assertIn("while the speed ramps no motion repeats itself", text)
+        self.assertNotEqual(result["bands"], [])
+
     def test_the_same_bands_are_written_again_and_nothing_else_is_replaced(self):
         first, _ = self.bands("--keep", "max_displacement<=0.008")
         self.assertEqual(first, self.bands("--keep", "max_displacement<=0.008")[0])
