@@ -9,6 +9,7 @@ settings::Scene default_scene(int revolutions, double tolerance) {
   const int transient = 2 * revolutions / 3;
   scene.protocol.transient_revolutions = transient;
   scene.protocol.sampled_revolutions = revolutions - transient;
+  scene.protocol.settle = settings::Settle::never;
   scene.accuracy.tolerance = tolerance;
   scene.observables = {"poincare"};
   return scene;

@@ -14,7 +14,7 @@
 namespace rubatlas::bench {
 
 /// The default rotor at a tolerance; its protocol splits `revolutions` as the paper's does, two thirds of
-/// them transient.
+/// them transient, and runs them all.
 settings::Scene default_scene(int revolutions, double tolerance);
 
 /// Parameters of the scene at one speed ratio.

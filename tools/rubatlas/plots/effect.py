@@ -25,13 +25,11 @@ def draw(options):
             panels[0, column].plot(np.repeat(speed, sections.shape[1]), factor * sections[:, :, 1].ravel(), ".",
                                    color=(style.BLUE, style.VERMILION)[column], markersize=1.6, markeredgewidth=0,
                                    alpha=0.6, rasterized=True)
-            curves.append((speed, factor * line.rows("max_displacement")))
-            for (x, y), colour in zip(curves[::-1], ((style.INK,), (style.INK, style.GREY))[column]):
-                style.curve(panels[1, column], x, y, color=colour, zorder=2 if colour == style.INK else 1)
-            handles = style.mark_missing(panels[:, column], speed, line.status())
-            if column == 1:
-                handles += [style.plt.Line2D([], [], color=style.GREY, lw=0.9, label="without"),
-                            style.plt.Line2D([], [], color=style.INK, lw=0.9, label="with")]
+            curves.append((name, speed, factor * line.rows("max_displacement")))
+            for (label, x, y), colour in zip(curves[::-1], (style.INK, style.GREY)):
+                style.curve(panels[1, column], x, y, label=label, color=colour, zorder=2 if colour == style.INK else 1)
+            handles = [*panels[1, column].get_legend_handles_labels()[0],
+                       *style.mark_missing(panels[:, column], speed, line.status())]
             panels[1, column].set_xlabel(style.label(source, "speed_ratio"))
             panels[1, column].label_outer()
             style.legend(panels[1, column], options, handles, "upper left")

@@ -15,7 +15,7 @@ from rubatlas import style
 from rubatlas.atlas_file import AtlasFile
 
 
-LEAST = 1e-9  # [mm] that can be a vibration
+LEAST = 1e-9  # [mm] of a line that is no rounding
 
 
 def by_frequency(speed, order, amplitude, edges):
@@ -92,13 +92,13 @@ def into(panel, line, max_frequency=None):
     speeds without a motion."""
     atlas = line.atlas
     amplitude, speed, order = line.rows("spectrum"), atlas.axis("speed_ratio"), atlas.axis("order")
-    factor = style.drawn(atlas.units("spectrum"))[1]
+    units, factor = style.drawn(atlas.units("spectrum"))
     top = min(4.0, order[-1] * speed[-1]) if max_frequency is None else max_frequency
     edges = np.linspace(0.0, top, 501)
     shown = factor * by_frequency(speed, order, amplitude, edges)
     largest = np.nanmax(shown, initial=0.0)
-    if largest == 0.0:
-        style.say_if_below(panel, shown, LEAST, " mm")
+    style.say_if_below(panel, shown, LEAST, f" {units}")
+    if largest < LEAST:
         shown[:] = np.nan
     floor = 1e-6 * max(largest, LEAST)
     rows = style.edges_of(speed)
