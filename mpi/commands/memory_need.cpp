@@ -16,13 +16,11 @@
 namespace rubatlas::mpi {
 namespace {
 
-/// Samples of a spectrum and their transform, each of half as many complex numbers [bytes].
+/// Samples of the signals and their transforms, each of half as many complex numbers [bytes].
 std::uint64_t record_bytes(const settings::Scene& scene) {
-  const auto& observables = scene.observables;
-  if (std::find(observables.begin(), observables.end(), "spectrum") == observables.end()) return 0;
   const auto samples = static_cast<std::uint64_t>(scene.protocol.sampled_revolutions) *
                        static_cast<std::uint64_t>(scene.protocol.samples_per_revolution);
-  return 2 * sizeof(double) * samples;
+  return 2 * sizeof(double) * samples * static_cast<std::uint64_t>(scene.transformed_signals());
 }
 
 }  // namespace

@@ -17,11 +17,11 @@ namespace {
 constexpr double kSameParameter = 1e-9;
 
 std::optional<std::size_t> index_of(const std::vector<double>& values, double value) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::abs(values[i] - value) <= kSameParameter * std::max(std::abs(values[i]), std::abs(value)))
-      return i;
-  }
-  return std::nullopt;
+  const auto nearest =
+      std::ranges::min_element(values, {}, [value](double there) { return std::abs(there - value); });
+  if (std::abs(*nearest - value) > kSameParameter * std::max(std::abs(*nearest), std::abs(value)))
+    return std::nullopt;
+  return static_cast<std::size_t>(nearest - values.begin());
 }
 
 }  // namespace

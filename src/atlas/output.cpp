@@ -159,6 +159,8 @@ Output permitted(const Wish& wish, const std::vector<std::filesystem::path>& oth
   }
   std::error_code error;
   const auto status = std::filesystem::status(place, error);
+  if (error == std::errc::filename_too_long)
+    throw OutputRefusal(fmt::format("{}: its name is too long for the file system", wish.path.string()));
   if (!std::filesystem::exists(status)) {
     require_folder(wish.path, place);
     return {place, false};

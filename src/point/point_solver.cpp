@@ -103,7 +103,7 @@ PointOutcome PointSolver::run(double speed_ratio, const motion::PointStart& star
   int revolutions = scene_.protocol.sampled_revolutions;
   if (begun.settled > 0) {
     const auto period = static_cast<int>(begun.cycle.size());
-    const bool exponents = std::ranges::count(scene_.observables, "lyapunov") > 0;
+    const bool exponents = scene_.observes("lyapunov");
     std::optional<Return> turn;
     if (exponents) {
       turn = return_from(*begun.motion, speed_ratio, begun.cycle.front(), period, true, go_on);
@@ -167,11 +167,15 @@ auto PointSolver::transient(double speed_ratio, const motion::PointStart& start,
   std::unique_ptr<motion::PointMotion> ahead;
   std::optional<Settling> settling;
   if (settles_) {
-    settling.emplace(scene_.accuracy.tolerance * scale, scale,
-                     [&, speed_ratio](const Section& from, int count, bool derivative) {
-                       if (!ahead) ahead = motion_of(speed_ratio, start_of(from));
-                       return return_from(*ahead, speed_ratio, from, count, derivative, go_on);
-                     });
+    // Exponents are those of a whole period, which has to be sampled.
+    const int longest = scene_.observes("lyapunov") ? scene_.protocol.sampled_revolutions : all;
+    settling.emplace(
+        scene_.accuracy.tolerance * scale, scale,
+        [&, speed_ratio](const Section& from, int count, bool derivative) {
+          if (!ahead) ahead = motion_of(speed_ratio, start_of(from));
+          return return_from(*ahead, speed_ratio, from, count, derivative, go_on);
+        },
+        static_cast<std::size_t>(longest));
   }
   const auto ended = [&](StatusDetail why, int revolution) {
     if (ahead) result.work += ahead->work();

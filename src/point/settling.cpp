@@ -36,7 +36,7 @@ bool Settling::same_events(std::size_t period, std::size_t revolutions) const {
 std::size_t Settling::period() const {
   constexpr double kNear =
       3e-3;  // of the clearance: farther away few motions are as nearly linear as is asked
-  for (std::size_t period = 1; period <= kLongestPeriod && known() > 3 * period; ++period) {
+  for (std::size_t period = 1; period <= longest_period_ && known() > 3 * period; ++period) {
     const double now = distance(back(0).section, back(period).section);
     const double before = distance(back(period).section, back(2 * period).section);
     if (now < kNear * scale_ && (now < before || now < error_) && same_events(period, 2 * period))

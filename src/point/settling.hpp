@@ -46,8 +46,12 @@ class Settling {
   static constexpr std::size_t kLongestPeriod = 16;  ///< in revolutions, as the classes of `analyse`
 
   /// `error`: of a section, by which two that are the same may differ [m]; `scale` [m]: of the motion.
-  Settling(double error, double scale, ReturnFrom return_from)
-      : error_(error), scale_(scale), return_from_(std::move(return_from)) {}
+  /// `longest_period`: of the cycles that are looked for [revolutions].
+  Settling(double error, double scale, ReturnFrom return_from, std::size_t longest_period = kLongestPeriod)
+      : error_(error),
+        scale_(scale),
+        return_from_(std::move(return_from)),
+        longest_period_(std::min(longest_period, kLongestPeriod)) {}
 
   /// The revolution that has just been run.
   void add(const Section& section, std::vector<std::int32_t> events);
@@ -84,6 +88,7 @@ class Settling {
   double error_;
   double scale_;
   ReturnFrom return_from_;
+  std::size_t longest_period_;
   std::array<Revolution, kKept> revolutions_{};
   std::size_t count_ = 0;
   std::optional<Candidate> candidate_;

@@ -42,7 +42,7 @@ void check_scaled(const Scene& scene) {
     if (!scale || entry.kind != Kind::number || entry.read == nullptr) continue;
     for (const double value : values_in(scene, entry.pointer)) {
       if (value == 0.0 || std::abs(value) / scale->size <= kLargest) continue;
-      fail(entry.pointer,
+      fail(place_of(scene, entry.pointer),
            fmt::format("{} {}, divided by {} = {:.3g}, is more than {:g}, with which nothing can be computed",
                        value, entry.unit, scale->text, scale->size, kLargest));
     }
@@ -61,9 +61,10 @@ void check_unequal_blades(const Scene& scene) {
   check("/unequal_blades/thickness_errors", scene.unequal_blades->thickness_errors);
   check("/unequal_blades/angle_errors", scene.unequal_blades->angle_errors);
   if (scene.contact.law == ContactLaw::elastic_ring) {
-    const auto refuse_thickness = [](std::string_view pointer, bool given) {
+    const auto refuse_thickness = [&scene](std::string_view pointer, bool given) {
       if (given)
-        fail(pointer, R"(has no effect under the contact law "elastic_ring", whose blades are rigid)");
+        fail(place_of(scene, pointer),
+             R"(has no effect under the contact law "elastic_ring", whose blades are rigid)");
     };
     const auto& errors = scene.unequal_blades->thickness_errors;
     refuse_thickness("/unequal_blades/thickness_errors",
@@ -74,16 +75,25 @@ void check_unequal_blades(const Scene& scene) {
   const auto smallest = [&](std::string_view pointer) { return std::ranges::min(values_in(scene, pointer)); };
   const double length = smallest("/blades/length");
   const double thickness = smallest("/blades/thickness");
-  for (const auto& error : scene.unequal_blades->errors(blades.count)) {
-    if (!(length + error.length > 0.0) || !(thickness + error.thickness > 0.0))
-      fail("/unequal_blades", fmt::format("a blade would be {:g} m long and {:g} m thick; both are above 0",
-                                          length + error.length, thickness + error.thickness));
+  // Errors grow with their spreads, so that the ends of axes tell.
+  for (const bool largest : {false, true}) {
+    effects::UnequalBlades drawn = *scene.unequal_blades;
+    const auto end = [&](std::string_view pointer) {
+      const auto [least, most] = std::ranges::minmax(values_in(scene, pointer));
+      return largest ? most : least;
+    };
+    drawn.length_spread = end("/unequal_blades/length_spread");
+    drawn.thickness_spread = end("/unequal_blades/thickness_spread");
+    for (const auto& error : drawn.errors(blades.count)) {
+      if (!(length + error.length > 0.0) || !(thickness + error.thickness > 0.0))
+        fail("/unequal_blades", fmt::format("a blade would be {:g} m long and {:g} m thick; both are above 0",
+                                            length + error.length, thickness + error.thickness));
+    }
   }
 }
 
 void check_wear(const Scene& scene) {
-  const bool kept = std::ranges::count(scene.observables, "clearance_growth") > 0;
-  if (kept && !scene.wear)
+  if (scene.observes("clearance_growth") && !scene.wear)
     fail("/observables", R"("clearance_growth" is that of blades that wear; there is no section /wear)");
   if (!scene.wear) return;
   if (scene.wear->carries_over && scene.sweep == Sweep::independent)
@@ -110,7 +120,7 @@ void check_observables(const Scene& scene) {
                   R"(is that of blades that bend; under the contact law "elastic_ring" they are rigid)"},
   };
   for (const Meaningless& refusal : refusals) {
-    if (refusal.applies && std::ranges::count(scene.observables, refusal.observable) > 0)
+    if (refusal.applies && scene.observes(refusal.observable))
       fail("/observables", fmt::format("\"{}\" {}", refusal.observable, refusal.sentence));
   }
 }
@@ -125,7 +135,7 @@ void check_speed_ramp(const Scene& scene) {
     for (const double first : {scene.grid.speed_ratio.front(), scene.grid.speed_ratio.back()}) {
       const double last = first + ramped * rate;
       if (legal.contains(last)) continue;
-      fail("/speed_ramp/rate",
+      fail(place_of(scene, "/speed_ramp/rate"),
            fmt::format(
                "from speed ratio {} on {} leads to {:.6g} in the last sampled revolution; speed ratios "
                "are {}",
@@ -135,7 +145,7 @@ void check_speed_ramp(const Scene& scene) {
 }
 
 void check_exponents(const Scene& scene) {
-  if (std::ranges::count(scene.observables, "lyapunov") == 0) return;
+  if (!scene.observes("lyapunov")) return;
   if (const auto refusal = refusal_of_linearisation(scene))
     fail("/observables", fmt::format("\"lyapunov\" is not to be had; {}", *refusal));
 }

@@ -98,5 +98,7 @@ const Quantity* quantity_of_axis(std::string_view name);
 
 /// The values of a number in an atlas: those of its axis, else the one value of the scene; none where absent.
 std::vector<double> values_in(const Scene& scene, std::string_view pointer);
+/// Where a scene gives a number: its axis of the grid, else its own pointer.
+std::string place_of(const Scene& scene, std::string_view pointer);
 
 }  // namespace rubatlas::settings

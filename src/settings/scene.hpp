@@ -4,11 +4,13 @@
 /// fills them, and no code after the reader sees JSON. Defaults are the paper's default rotor (MODEL 6.1).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "settings/effects/list.hpp"
@@ -146,6 +148,13 @@ struct Scene : effects::Effects {
     constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
     const double difference = ring.radius - blades.hub_radius - blades.length;
     return std::abs(difference) <= kRounding * ring.radius ? 0.0 : difference;
+  }
+  [[nodiscard]] bool observes(std::string_view name) const {
+    return std::find(observables.begin(), observables.end(), name) != observables.end();
+  }
+  /// Signals of which a point keeps all samples, to transform them together.
+  [[nodiscard]] int transformed_signals() const {
+    return (observes("spectrum") ? 1 : 0) + (observes("full_spectrum") ? 2 : 0);
   }
 };
 

@@ -55,7 +55,7 @@ void check_clearance(const Scene& scene) {
 
 /// All samples of a spectrum are transformed at once, so their number is limited.
 void check_spectrum(const Scene& scene) {
-  if (std::ranges::count(scene.observables, "spectrum") == 0) return;
+  if (scene.transformed_signals() == 0) return;
   constexpr std::int64_t kMostSamplesTogether = std::numeric_limits<std::int32_t>::max();
   const auto& protocol = scene.protocol;
   const std::int64_t samples = std::int64_t{protocol.sampled_revolutions} * protocol.samples_per_revolution;
@@ -63,7 +63,7 @@ void check_spectrum(const Scene& scene) {
   fail("/protocol/sampled_revolutions",
        fmt::format(
            "{} with {} samples_per_revolution are {} samples of a spectrum; at most {} are allowed, more "
-           "without the observable \"spectrum\"",
+           "without the observables \"spectrum\" and \"full_spectrum\"",
            protocol.sampled_revolutions, protocol.samples_per_revolution, samples, kMostSamplesTogether));
 }
 

@@ -28,6 +28,9 @@ std::string read_text(const std::filesystem::path& path) {
     if (text.size() > kLongestScene) refuse("it is longer than 64 MiB");
   }
   if (std::ferror(file.get()) != 0) refuse(std::strerror(errno));
+  // Some editors begin a text in UTF-8 with this mark, which is no part of JSON.
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   return text;
 }
 

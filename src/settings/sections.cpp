@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "settings/document.hpp"
 #include "settings/quantity.hpp"
 
 namespace rubatlas::settings {
@@ -106,6 +107,14 @@ std::vector<double> values_in(const Scene& scene, std::string_view pointer) {
   }
   const auto own = quantity(pointer).read(scene);
   return own ? std::vector{std::get<double>(*own)} : std::vector<double>{};
+}
+
+std::string place_of(const Scene& scene, std::string_view pointer) {
+  const auto is_it = [pointer](const auto& swept) { return swept.pointer == pointer; };
+  if (std::ranges::any_of(scene.grid.swept, is_it)) return child("/grid", pointer);
+  const auto named = std::ranges::find(kGridAxes, pointer, &GridAxis::quantity);
+  const bool varies = named != kGridAxes.end() && (scene.grid.*named->values).size() > 1;
+  return varies ? child("/grid", named->name) : std::string(pointer);
 }
 
 }  // namespace rubatlas::settings

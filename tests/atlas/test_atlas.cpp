@@ -204,6 +204,14 @@ TEST_F(Atlas, PointsAreFoundByTheirParameters) {
   EXPECT_EQ(atlas.find(wanted), std::nullopt);
 }
 
+TEST_F(Atlas, OfSpeedsThatHardlyDifferTheNearestIsFound) {
+  const std::string text = R"({"grid": {"speed_ratio": [0.55, 0.55000000001]}})";
+  const auto scene = settings::parse_scene(text);
+  create_atlas(file("close.h5"), {scene, text, testing::kSoftware});
+  const AtlasReader atlas(file("close.h5"));
+  for (const std::size_t point : {0U, 1U}) EXPECT_EQ(atlas.find(plan::Grid(scene).parameters(point)), point);
+}
+
 TEST_F(Atlas, OfBothDirectionsTheOneAskedForIsFound) {
   auto text = testing::kSmallScene;
   text.insert(1, R"("sweep": "both",)");

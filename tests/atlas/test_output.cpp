@@ -88,6 +88,12 @@ TEST_F(Outputs, NothingButAFileIsWritten) {
   }
 }
 
+TEST_F(Outputs, ANameThatNoFileCanHaveIsRefusedBeforehand) {
+  const std::string name(300, 'a');
+  EXPECT_EQ(refusal(name, FileKind::atlas, Existing::refuse),
+            name + ": its name is too long for the file system");
+}
+
 TEST_F(Outputs, WhatIsReadIsNotWrittenByWhateverPath) {
   write_atlas("a.h5");
   std::filesystem::create_hard_link(file("a.h5"), file("hard.h5"));

@@ -75,14 +75,15 @@ class Refusals(JobTest):
         self.assertEqual(self.left_behind(), [])
 
     def test_a_scene_larger_than_the_memory_says_what_is_too_large(self):
-        path = self.write_scene(scene(
-            grid={"speed_ratio": 0.5},
-            protocol={"transient_revolutions": 0, "sampled_revolutions": 1000000, "samples_per_revolution": 2000},
-            spectrum={"max_order": 1}, observables=["spectrum"]))
-        launcher = ["bash", "-c", f'ulimit -v 20000000; exec "{PROGRAM}" run "{path}" -o atlas.h5']
-        job = subprocess.run(launcher, cwd=self.directory, text=True, capture_output=True, check=False)
-        self.assert_refused(job, 3, "too large for the memory of ", "32 GB for records and rows of the lines")
-        self.assertEqual(self.left_behind(), [])
+        for observable, memory in {"spectrum": "32 GB", "full_spectrum": "64 GB"}.items():
+            path = self.write_scene(scene(
+                grid={"speed_ratio": 0.5},
+                protocol={"transient_revolutions": 0, "sampled_revolutions": 1000000, "samples_per_revolution": 2000},
+                spectrum={"max_order": 1}, observables=[observable]))
+            launcher = ["bash", "-c", f'ulimit -v 20000000; exec "{PROGRAM}" run "{path}" -o atlas.h5']
+            job = subprocess.run(launcher, cwd=self.directory, text=True, capture_output=True, check=False)
+            self.assert_refused(job, 3, "too large for the memory of ", f"{memory} for records and rows of the lines")
+            self.assertEqual(self.left_behind(), [])
 
     def test_an_atlas_beyond_the_processs_own_limit_ends_with_3(self):
         path = self.write_scene(scene())

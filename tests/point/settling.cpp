@@ -303,6 +303,21 @@ TEST(Settling, ExponentsOnACycleAreTheLogarithmsOfItsMultipliers) {
   }
 }
 
+TEST(Settling, WithExponentsNoCycleIsLongerThanWhatIsSampled) {
+  settings::Scene scene = scene_that(settings::Settle::newton);
+  scene.observables = {"poincare", "lyapunov"};
+  scene.protocol.transient_revolutions = 3000;
+  const double speed_ratio = 0.6855;  // period 2
+  scene.protocol.sampled_revolutions = 2;
+  const auto of_cycle = run(scene, speed_ratio);
+  ASSERT_GT(of_cycle.settled, 0);
+  EXPECT_LT(of_cycle.rows[1][0], 0.0);
+  scene.protocol.sampled_revolutions = 1;
+  const auto of_half = run(scene, speed_ratio);
+  EXPECT_EQ(of_half.settled, 0);
+  EXPECT_TRUE(std::isnan(of_half.rows[2][0])) << "one revolution tells no error";
+}
+
 TEST(Settling, TheOrbitOfAPeriodicPointIsItsCycle) {
   for (const double speed_ratio : {0.30, 0.40, 0.62}) {
     const auto solver = solver_of(scene_that(settings::Settle::newton));

@@ -129,13 +129,21 @@ TEST(SceneErrors, ErrorsOfThicknessAreRefusedWhereBladesAreRigid) {
   EXPECT_EQ(refusal_with(rigid + R"({"thickness_spread": 1e-5})"),
             "/unequal_blades/thickness_spread: has no effect under the contact law \"elastic_ring\", whose "
             "blades are rigid");
-  EXPECT_EQ(refusal(R"({"grid": {"speed_ratio": 0.5, "/unequal_blades/thickness_spread": [0, 1e-5]},
+  EXPECT_EQ(
+      refusal(R"({"grid": {"speed_ratio": 0.5, "/unequal_blades/thickness_spread": [0, 1e-5]},
                         "contact": {"law": "elastic_ring"}})"),
-            "/unequal_blades/thickness_spread: has no effect under the contact law \"elastic_ring\", whose "
-            "blades are rigid");
+      "/grid/~1unequal_blades~1thickness_spread: has no effect under the contact law \"elastic_ring\", whose "
+      "blades are rigid");
   EXPECT_EQ(refusal_with(rigid + R"({"length_errors": [1e-4, 0, 0], "thickness_errors": [0, 0, 0]})"),
             "accepted");
   EXPECT_EQ(refusal_with(R"("unequal_blades": {"thickness_errors": [1e-4, 0, 0]})"), "accepted");
+}
+
+TEST(SceneErrors, NoSpreadOfAnAxisMakesABladeWithoutLength) {
+  const std::string refused =
+      "/unequal_blades: a blade would be -0.127702 m long and 0.001 m thick; both are above 0";
+  EXPECT_EQ(refusal_with(R"("unequal_blades": {"length_spread": 1.0})"), refused);
+  EXPECT_EQ(refusal_of_grid(R"("speed_ratio": 0.5, "/unequal_blades/length_spread": [0, 1.0])"), refused);
 }
 
 TEST(SceneErrors, PointersEscapeSlashAndTilde) {
@@ -171,6 +179,8 @@ TEST(SceneErrors, AQuantityThatOverflowsWhenScaledIsTheScenesMistake) {
   EXPECT_TRUE(
       refusal_with(R"("rotor": {"mass": 1e-200, "natural_frequency": 1e-200}, "side_load": {"force": 1})")
           .starts_with("/side_load/force: 1 N, divided by mass × natural_frequency² = 0, "));
+  EXPECT_TRUE(refusal(R"({"grid": {"speed_ratio": 0.5, "unbalance": [0, 1e5]}, "rotor": {"mass": 1e-300}})")
+                  .starts_with("/grid/unbalance: 100000 kg m, divided by mass = 1e-300, "));
   EXPECT_TRUE(refusal_with(R"("rotor": {"natural_frequency": 1e-9}, "support": {"damping_xx": 1e15})") ==
               "accepted");
   EXPECT_TRUE(refusal_with(R"("rotor": {"mass": 1e-300})") == "accepted") << "nothing is divided by it";
@@ -301,6 +311,19 @@ TEST(SceneErrors, TheSpectrumEndsAtHalfTheSamples) {
             "/spectrum/max_order: 33 is outside [1, 32], half of samples_per_revolution; highest order of "
             "the spin speed "
             "that the spectrum keeps");
+}
+
+TEST(SceneErrors, AllSamplesOfASignalAreTransformedAtOnce) {
+  for (const std::string name : {"spectrum", "full_spectrum"}) {
+    const std::string scene = R"("observables": [")" + name +
+                              R"("], "protocol": {"samples_per_revolution": 65536, "sampled_revolutions": )";
+    EXPECT_EQ(refusal_with(scene + "32767}"), "accepted");
+    EXPECT_EQ(
+        refusal_with(scene + "32768}"),
+        "/protocol/sampled_revolutions: 32768 with 65536 samples_per_revolution are 2147483648 samples of a "
+        "spectrum; at most 2147483647 are allowed, more without the observables \"spectrum\" and "
+        "\"full_spectrum\"");
+  }
 }
 
 TEST(SceneErrors, ObservablesComeFromTheirList) {

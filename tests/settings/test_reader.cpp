@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -194,6 +195,13 @@ TEST(SceneReader, ObservablesAreKeptInTheOrderOfTheirList) {
 TEST(SceneReader, AClearanceOfRoundingIsZero) {
   const Scene scene = scene_with(R"("ring": {"radius": 0.3}, "blades": {"length": 0.2, "hub_radius": 0.1})");
   EXPECT_EQ(scene.clearance(), 0.0);
+}
+
+TEST(SceneReader, TheMarkWithWhichSomeEditorsBeginATextIsNotRead) {
+  const std::filesystem::path path = ::testing::TempDir() + "marked.json";
+  std::ofstream(path) << "\xEF\xBB\xBF{}";
+  EXPECT_EQ(read_text(path), "{}");
+  std::filesystem::remove(path);
 }
 
 TEST(SceneReader, EverySceneOfTheProjectIsLegal) {

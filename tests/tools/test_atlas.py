@@ -255,6 +255,10 @@ class AtlasQuestions(WithFolder):
         self.assertEqual(len(self.atlas.sel(friction=0.1)), len(self.atlas))
         with self.assertRaisesRegex(rubatlas.AtlasError, "this selection has 0.1 alone"):
             self.atlas.sel(friction=0.2)
+        chosen = self.atlas.sel(damping_ratio=0.2)
+        self.assertEqual(len(chosen.line(damping_ratio=0.2)), len(chosen))
+        with self.assertRaisesRegex(rubatlas.AtlasError, "this selection has 0.2 alone"):
+            chosen.line(damping_ratio=0.1)
 
     def test_rows_of_any_selection_are_read(self):
         self.assertEqual(self.atlas.sel(speed_ratio=slice(2, 3))["poincare"].sizes["speed_ratio"], 0)
@@ -354,6 +358,16 @@ class AtlasQuestions(WithFolder):
         with self.assertRaisesRegex(rubatlas.AtlasError, "an orbit at another damping ratio, 0.1; choose another path"):
             self.atlas.orbit(0.3, path=path, damping_ratio=0.2)
         self.assertEqual(path.read_bytes(), content)
+        with h5py.File(path, "r+") as file:
+            file.attrs["start"] = file.attrs["start"] * 1.5
+        with self.assertRaisesRegex(rubatlas.AtlasError, "an orbit from another state at these values"):
+            self.atlas.orbit(0.3, path=path)
+        with h5py.File(path, "r+") as file:
+            scene = json.loads(file["scene_resolved"][()])
+            scene["rotor"]["misalignment"] = 0.02
+            file["scene_resolved"][()] = json.dumps(scene)
+        with self.assertRaisesRegex(rubatlas.AtlasError, "/rotor/misalignment is 0.01001 here and 0.02 there"):
+            self.atlas.orbit(0.3, path=path)
 
     def test_a_file_that_is_no_atlas_is_said_to_be_none(self):
         with self.assertRaisesRegex(rubatlas.AtlasError, "no such file"):

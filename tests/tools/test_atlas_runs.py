@@ -3,6 +3,7 @@ import json
 import os
 import pathlib
 import unittest
+import unittest.mock
 
 import h5py
 import numpy as np
@@ -45,6 +46,7 @@ class AtlasRuns(WithFolder):
             self.assertEqual((self.folder / "two.h5").read_bytes(), before)
             if scene_is_there:
                 (self.folder / "two.json").unlink()
+        self.assertEqual(len(rubatlas.run(TWO_POINTS, self.folder / "two.h5")), 2)
 
     def test_a_wrong_scene_is_answered_with_the_programs_own_sentence(self):
         with self.assertRaisesRegex(rubatlas.AtlasError, "frictoin"):
@@ -94,6 +96,11 @@ class AtlasCommands(WithFolder):
         self.assertTrue((edges["upper"] - edges["lower"] <= 1e-4).all())
         self.assertTrue(edges.identical(atlas.edges))
         self.assertTrue(edges.identical(rubatlas.edges(self.folder / "doubling.h5", self.folder / "e.h5", to=1e-4)))
+
+    def test_commands_use_the_program_that_an_atlas_was_opened_with(self):
+        atlas = rubatlas.open(self.folder / "two.h5", program=os.environ["RUBATLAS_PROGRAM"])
+        with unittest.mock.patch.dict(os.environ, {"RUBATLAS_PROGRAM": "/nowhere"}):
+            self.assertIn("2 of 2 points have rows", rubatlas.verify(atlas))
 
     def test_rows_are_verified_and_damage_is_an_error(self):
         self.assertIn("2 of 2 computed again have the same bits", rubatlas.verify(self.atlas, recompute=2))

@@ -27,7 +27,7 @@ from rubatlas.judgement import MAY_NOT_OCCUR, Judgement, bands_of
 from rubatlas.plots.axes import Plots
 from rubatlas.plots.orbit import OrbitFile
 from rubatlas.program import Path, command, scene_file
-from rubatlas.same_scene import require_edges_of, require_maps_of
+from rubatlas.same_scene import require_edges_of, require_maps_of, require_same
 
 # Points that are wanted, along axes of the selection or in its shape.
 Mask = xarray.DataArray | np.ndarray[Any, np.dtype[np.bool_]]
@@ -270,6 +270,8 @@ class Atlas:
 
     def line(self, **wanted: Any) -> Atlas:
         """All speeds at given values of other axes; an axis that is not given has the scene's own value."""
+        for axis in self.picked.keys() & wanted.keys():
+            self._place(axis, wanted[axis])  # refused where the selection has another value
         with AtlasFile(self.path) as atlas:
             line = atlas.line(**{**self.picked, **wanted})
             values: dict[str, Any] = {axis: float(line.value(axis)) for axis in self.axes[:-1]}
@@ -428,35 +430,41 @@ class Atlas:
 
         It is that of exactly this speed, with `method="nearest"` of the nearest one of the selection. At a speed of the
         grid it starts from the point's stored state, so that it shows the atlas' own motion; between the speeds from
-        the scene's `initial`. With `path` it is kept there; a file of another point is refused, not replaced.
+        the scene's `initial`. With `path` it is kept there; a file of another motion is refused, not replaced.
         """
         if method is not None:
             point = self.sel(speed_ratio, method=method, **at)
             speed_ratio, at = point["speed_ratio"].item(), {axis: point[axis].item() for axis in at}
+        at = {**self.picked, **at}
         with AtlasFile(self.path) as atlas:
-            speed = atlas.axis("speed_ratio")
-            others = {axis: value for axis, value in {**self.picked, **at}.items() if axis != "direction"}
-            usual = {axis: float(atlas.line().value(axis)) for axis in atlas.axes[:-1] if axis != "direction"}
             unknown = [axis for axis in at if axis not in atlas.axes]
             if unknown:
                 raise AtlasError(f"orbit: no axis {', '.join(unknown)}; {self.path} has {', '.join(atlas.axes)}")
-            values = {**usual, **others, "speed_ratio": float(speed_ratio)}
+            usual = atlas.line()
+            values = {axis: number_of(axis, at.get(axis, usual.value(axis)))
+                      for axis in atlas.axes[:-1] if axis != "direction"}
+            swept = {"direction": at.get("direction", 0)} if "direction" in atlas.axes else {}
+            values["speed_ratio"] = number_of("speed_ratio", speed_ratio)
             stored = all(np.isclose(atlas.axis(axis), value, rtol=1e-9, atol=0.0).any()
                          for axis, value in values.items())
-            direction: Any = {**self.picked, **at}.get("direction", 0)
             if stored:
-                values["speed_ratio"] = float(speed[np.argmin(abs(speed - speed_ratio))])
+                place = np.argmin(abs(atlas.axis("speed_ratio") - values["speed_ratio"]))
+                line = atlas.line(**{axis: value for axis, value in values.items() if axis != "speed_ratio"}, **swept)
+                values["speed_ratio"], start = float(atlas.axis("speed_ratio")[place]), line.raw("final_state")[place]
+                swept = {axis: DIRECTIONS[int(line.value(axis))] for axis in swept}
         if path is not None and os.path.exists(path):
             found = OrbitFile(path)
-            differing = [axis for axis, value in values.items()
-                         if not np.isclose(float(found.attributes[axis]), value, rtol=1e-9, atol=0.0)]
+            differing = [axis for axis, value in values.items() if not same_value(found.attributes[axis], value)]
             if differing:
                 raise AtlasError(f"{path}: an orbit at another {differing[0].replace('_', ' ')}, "
                                  f"{float(found.attributes[differing[0]]):g}; choose another path")
+            require_same(self.path, with_values(self.scene, found.attributes), path, found.scene)
+            if stored and not np.array_equal(found.attributes["start"], start):
+                raise AtlasError(f"{path}: an orbit from another state at these values; choose another path")
             return found
         named = ",".join(f"{axis}={value!r}" for axis, value in values.items())
-        if stored and "direction" in self.axes:
-            named += f",direction={direction if direction in DIRECTIONS else DIRECTIONS[int(direction)]}"
+        if stored:
+            named += "".join(f",{axis}={word}" for axis, word in swept.items())
         with tempfile.TemporaryDirectory() as folder, scene_file(self.own_scene) as scene:
             target = pathlib.Path(folder) / "orbit.h5" if path is None else pathlib.Path(path)
             command("orbit", scene, output=target, program=self.program, at=named, from_=self.path if stored else None)

@@ -34,6 +34,11 @@ def _path(atlas: Atlas | Path) -> pathlib.Path:
     return pathlib.Path(atlas.path if isinstance(atlas, Atlas) else atlas)
 
 
+def _options(given: Scene, options: Mapping[str, Any]) -> dict[str, Any]:
+    """With the program that an atlas was opened with, unless another one is named."""
+    return {"program": given.program, **options} if isinstance(given, Atlas) else dict(options)
+
+
 def run(scene: Mapping[str, Any], output: Path, ranks: int = 1, program: Path | None = None) -> Atlas:
     """Writes the scene beside `output`, runs the program, or goes on with what is there, analyses, and opens the atlas.
 
@@ -48,10 +53,11 @@ def run(scene: Mapping[str, Any], output: Path, ranks: int = 1, program: Path | 
     if not new and scene_place.read_text(encoding="utf-8") != content:
         raise AtlasError(f"{scene_place}: another scene is there; choose another output")
     scene_place.write_text(content, encoding="utf-8")
+    kept = place.exists()
     try:
         command("run", scene_place, output=place, program=program, ranks=ranks, resume=True, progress="off")
     except AtlasError:
-        if new and not place.exists():
+        if new and (kept or not place.exists()):
             scene_place.unlink()  # refused: the next one may be right
         raise
     command("analyse", place, output=place.with_name(f"{place.stem}_maps.h5"), program=program, overwrite=True)
@@ -61,14 +67,14 @@ def run(scene: Mapping[str, Any], output: Path, ranks: int = 1, program: Path | 
 def branch(scene: Scene, output: Path, **options: Any) -> BranchFile:
     """Periodic orbits followed along a quantity, stable or not (`from_`, `along`, `to`, `both`, `curve`, …)."""
     with scene_file(_scene(scene)) as place:
-        command("branch", place, output=output, **options)
+        command("branch", place, output=output, **_options(scene, options))
     return BranchFile(output)
 
 
 def accuracy(scene: Scene, output: Path, **options: Any) -> AccuracyFile:
     """What accuracy costs: the scene by every method and tolerance (`methods`, `tolerances`, `repeats`, …)."""
     with scene_file(_scene(scene)) as place:
-        command("accuracy", place, output=output, **options)
+        command("accuracy", place, output=output, **_options(scene, options))
     return AccuracyFile(output)
 
 
@@ -76,18 +82,20 @@ def edges(atlas: Atlas | Path, output: Path | None = None, **options: Any) -> xa
     """Where the motion of an atlas changes, narrowed down by new points (`to`, `regions`, `ranks`, …), into
     ATLAS_edges.h5 beside the atlas, where `Atlas.edges` finds them, or into `output`."""
     place = _path(atlas)
-    command("edges", place, output=output, **options)
+    command("edges", place, output=output, **_options(atlas, options))
     return read_edges(str(output or place.with_name(f"{place.stem}_edges.h5")))
 
 
 def verify(atlas: Atlas | Path, **options: Any) -> str:
     """What the program says of the rows of an atlas: whether they have their checksums, and of `recompute` rows the
     same bits; AtlasError where they have not."""
-    return command("verify", _path(atlas), **options).strip()
+    return command("verify", _path(atlas), **_options(atlas, options)).strip()
 
 
 def merge(parts: Iterable[Atlas | Path], output: Path, **options: Any) -> Atlas:
     """One atlas of the parts that `run --part` has computed; points of parts that are missing are not done."""
+    parts = list(parts)
+    options = _options(parts[0], options) if parts else options
     with contextlib.suppress(Unfinished):
         command("merge", *map(_path, parts), output=output, **options)
     return Atlas(output, program=options.get("program"))

@@ -107,10 +107,9 @@ def curve_into(panels, atlas, along, curve):
         raise AtlasError(f"{curve.path}: a curve in {curve.name_of('along')} and {curve.name_of('in')}, "
                          f"not in speed ratio and {along}")
     values = atlas.axis(along)
-    order = np.argsort(curve["second_parameter"])
-    where = np.interp(curve["second_parameter"][order], values, np.arange(len(values)), left=np.nan, right=np.nan)
+    where = np.interp(curve["second_parameter"], values, np.arange(len(values)), left=np.nan, right=np.nan)
     for panel in panels:
-        panel.plot(curve["parameter"][order], where, color=style.VERMILION, lw=1.8,
+        panel.plot(curve["parameter"], where, color=style.VERMILION, lw=1.8, scalex=False, scaley=False,
                    label=curve.attribute("curve").replace("_", " "))
     panels[0].legend(loc="lower right", frameon=True)
 
