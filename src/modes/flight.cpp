@@ -113,8 +113,8 @@ void Flight::places(const trajectory::SampleTimes& times, int first, std::span<d
   for (int rows = 1; done < x.size(); ++rows) {
     row.start(times[number], at);
     const std::size_t count = std::min<std::size_t>(kTimesOfRow, x.size() - done);
-    std::copy_n(row.states()[0].data(), count, &x[done]);
-    if (!y.empty()) std::copy_n(row.states()[1].data(), count, &y[done]);
+    std::copy_n(row.states().col(0).data(), count, &x[done]);
+    if (!y.empty()) std::copy_n(row.states().col(1).data(), count, &y[done]);
     done += count;
     number += static_cast<int>(count);
     at = rows % kRowsFromClosedForm == 0 ? shaft(times[number]) : row.state(kTimesOfRow - 1);

@@ -21,9 +21,6 @@ DirectionsOfRow of_angles(const RowValues& angles) {
 
 StateRow::StateRow(const rotor::Machine& machine, double spacing)
     : spacing_(spacing), isotropic_(rotor::FreeMotion(machine.constants.damping_ratio), spacing) {
-  const auto set = [](StatesOfRow& states, int i, const Eigen::Vector4d& there) {
-    for (std::size_t to = 0; to < 4; ++to) states[to][i] = there[static_cast<Eigen::Index>(to)];
-  };
   if (const rotor::Harmonics* harmonics = machine.harmonics()) {
     const rotor::FreeMotion free(machine.constants.damping_ratio);
     for (const rotor::Harmonic& term : harmonics->terms()) {
@@ -32,9 +29,10 @@ StateRow::StateRow(const rotor::Machine& machine, double spacing)
       for (int i = 0; i < kTimesOfRow; ++i) {
         const double elapsed = (i + 1) * spacing_;
         const auto [position, velocity] = term.from_rest(0.0, elapsed, free, free.kernel(elapsed));
-        set(response.along, i, {position.real(), position.imag(), velocity.real(), velocity.imag()});
+        response.along.row(i) << position.real(), position.imag(), velocity.real(), velocity.imag();
       }
-      response.across = {-response.along[1], response.along[0], -response.along[3], response.along[2]};
+      const StatesOfRow& along = response.along;
+      response.across << -along.col(1), along.col(0), -along.col(3), along.col(2);
     }
     return;
   }
@@ -43,14 +41,18 @@ StateRow::StateRow(const rotor::Machine& machine, double spacing)
   responses_.resize(support.terms().size());
   for (int i = 0; i < kTimesOfRow; ++i) {
     const double elapsed = (i + 1) * spacing_;
-    for (Eigen::Index from = 0; from < 4; ++from)
-      set(supported_[static_cast<std::size_t>(from)], i, support.free(Eigen::Vector4d::Unit(from), elapsed));
+    for (std::size_t from = 0; from < 4; ++from) {
+      const auto unit = Eigen::Vector4d::Unit(static_cast<Eigen::Index>(from));
+      supported_[from].row(i) = support.free(unit, elapsed).transpose();
+    }
     const auto forced = support.from_rest(elapsed);
     for (std::size_t j = 0; j < responses_.size(); ++j) {
       const auto& [amplitude, frequency] = support.terms()[j];
       responses_[j].frequency = frequency;
-      set(responses_[j].along, i, forced[j] * Eigen::Vector2d(amplitude.real(), amplitude.imag()));
-      set(responses_[j].across, i, forced[j] * Eigen::Vector2d(-amplitude.imag(), amplitude.real()));
+      responses_[j].along.row(i) =
+          (forced[j] * Eigen::Vector2d(amplitude.real(), amplitude.imag())).transpose();
+      responses_[j].across.row(i) =
+          (forced[j] * Eigen::Vector2d(-amplitude.imag(), amplitude.real())).transpose();
     }
   }
 }
@@ -59,14 +61,12 @@ void StateRow::start(double time, const rotor::State& state) {
   if (supported_.empty()) {
     isotropic_.move(state, states_);
   } else {
-    for (std::size_t to = 0; to < 4; ++to)
-      states_[to] = (state[0] * supported_[0][to] + state[1] * supported_[1][to]) +
-                    (state[2] * supported_[2][to] + state[3] * supported_[3][to]);
+    states_ = (state[0] * supported_[0] + state[1] * supported_[1]) +
+              (state[2] * supported_[2] + state[3] * supported_[3]);
   }
   for (const Response& response : responses_) {
     const std::complex<double> direction = std::polar(1.0, response.frequency * time);
-    for (std::size_t to = 0; to < 4; ++to)
-      states_[to] += direction.real() * response.along[to] + direction.imag() * response.across[to];
+    states_ += direction.real() * response.along + direction.imag() * response.across;
   }
 }
 
@@ -100,13 +100,10 @@ void FlightRow::start(double time, const rotor::ShaftAndRing& bodies, double fou
   turn_.start(time);
   start_ = rotor::from_ring(bodies);
   states_.start(time, rotor::shaft(bodies));
-  seen_ = states_.states();
-  if (ring_) {
-    ring_->move(rotor::ring(bodies), ring_states_);
-    for (std::size_t i = 0; i < 4; ++i) seen_[i] -= ring_states_[i];
-  }
-  auto& [x, y, vx, vy] = seen_;
-  y += misalignment_;
+  if (ring_) ring_->move(rotor::ring(bodies), ring_states_);
+  seen_ = states_.states() - ring_states_;
+  seen_.col(1) += misalignment_;
+  const auto x = seen_.col(0), y = seen_.col(1), vx = seen_.col(2), vy = seen_.col(3);
   square_ = x * x + y * y;
   square_rate_ = 2.0 * (x * vx + y * vy);
 }
@@ -134,10 +131,9 @@ std::optional<double> FlightRow::only_crossing(const Gaps& gaps, int interval, d
 }
 
 rotor::ShaftAndRing FlightRow::state(int i) const {
-  rotor::ShaftAndRing bodies = rotor::shaft_and_ring(states_.state(i));
-  if (ring_) {
-    for (std::size_t k = 0; k < 4; ++k) bodies[static_cast<Eigen::Index>(4 + k)] = ring_states_[k][i];
-  }
+  rotor::ShaftAndRing bodies;
+  bodies.head<4>() = states_.state(i);
+  bodies.tail<4>() = ring_states_.row(i).transpose();
   return bodies;
 }
 

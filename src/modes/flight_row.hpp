@@ -10,8 +10,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -30,8 +28,8 @@ using RowValues = Eigen::Array<double, kTimesOfRow, 1>;
 /// adds up.
 constexpr int kRowsFromClosedForm = 16;
 
-/// Of x, y [m], x', y' [m per unit τ].
-using StatesOfRow = std::array<RowValues, 4>;
+/// Of each time x, y [m], x', y' [m per unit τ].
+using StatesOfRow = Eigen::Array<double, kTimesOfRow, 4>;
 
 /// z'' + 2ζν z' + ν² z = 0 one to eight spacings after its start.
 class FreeRow {
@@ -45,11 +43,11 @@ class FreeRow {
     }
   }
   void move(const rotor::State& from, StatesOfRow& states) const {
-    for (std::size_t i = 0; i < 2; ++i) {
-      const double place = from[static_cast<Eigen::Index>(i)];
-      const double velocity = from[static_cast<Eigen::Index>(i + 2)] / frequency_;
-      states[i] = place * cosine_ + (velocity + damping_ratio_ * place) * sine_;
-      states[i + 2] = frequency_ * (velocity * cosine_ - (place + damping_ratio_ * velocity) * sine_);
+    for (int i = 0; i < 2; ++i) {
+      const double place = from[i];
+      const double velocity = from[i + 2] / frequency_;
+      states.col(i) = place * cosine_ + (velocity + damping_ratio_ * place) * sine_;
+      states.col(i + 2) = frequency_ * (velocity * cosine_ - (place + damping_ratio_ * velocity) * sine_);
     }
   }
 
@@ -71,9 +69,7 @@ class StateRow {
   void start(double time, const rotor::State& state);
 
   [[nodiscard]] const StatesOfRow& states() const { return states_; }
-  [[nodiscard]] rotor::State state(int i) const {
-    return {states_[0][i], states_[1][i], states_[2][i], states_[3][i]};
-  }
+  [[nodiscard]] rotor::State state(int i) const { return states_.row(i).transpose(); }
 
  private:
   /// What a forcing does to a shaft at rest.
@@ -148,7 +144,7 @@ class FlightRow {
         contact::pose(geometry, er, start_[0], start_[1] + misalignment_, start_[2], start_[3]);
     const auto [cosine, sine] = turn_.turned().turned(er);
     const double reach = 2.0 * geometry.reach;
-    const auto& [x, y, vx, vy] = seen_;
+    const RowValues x = seen_.col(0), y = seen_.col(1), vx = seen_.col(2), vy = seen_.col(3);
     return {at_start.gap, contact::gap_rate(geometry, at_start, turn_.speed_at_start()),
             square_ + (reach * (x * cosine + y * sine) + geometry.closing()),
             square_rate_ + reach * ((vx * cosine + vy * sine) + turn_.speed() * (y * cosine - x * sine))};
@@ -193,7 +189,7 @@ class FlightRow {
   std::optional<FreeRow> ring_;  ///< that is a body
   TurnRow turn_;
   rotor::State start_ = rotor::State::Zero();
-  StatesOfRow ring_states_;
+  StatesOfRow ring_states_ = StatesOfRow::Zero();
   StatesOfRow seen_;                ///< c and c', of the shaft as seen from the ring
   RowValues square_, square_rate_;  ///< |c|² and its derivative
   double remainder_ = 0.0;
