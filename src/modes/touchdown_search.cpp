@@ -44,17 +44,6 @@ TouchdownSearch::TouchdownSearch(const Flight& flight, std::vector<contact::Geom
       first_doubts_(blades_.size()),
       crossings_(blades_.size()) {}
 
-std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find_by_steps(double until) {
-  std::optional<Touchdown> touchdown;
-  for (int k = 0; k < static_cast<int>(blades_.size()); ++k) {
-    if (auto touch = by_steps(geometry(k), k, flight_->start_time(), flight_->at_start(), until)) {
-      until = touch->time;
-      touchdown = touch;
-    }
-  }
-  return touchdown;
-}
-
 bool TouchdownSearch::shaft_at_ring(double until) {
   const double misalignment = machine_->constants.misalignment;
   const double from = flight_->start_time();
@@ -197,7 +186,6 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_newton(int blade, 
   return Touchdown{blade, touches, flight_->state(touches)};
 }
 
-/// The touch-down of a tip from `time` on and before `until`, in steps that it cannot outrun.
 std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(const contact::Geometry& tip, int blade,
                                                                     double time, rotor::ShaftAndRing bodies,
                                                                     double until) {

@@ -39,8 +39,9 @@ class TouchdownSearch final : public trajectory::PieceWithoutContact {
 
   /// Nothing also where the meter ends the revolution.
   std::optional<Touchdown> find(double until);
-  /// The same in steps only.
-  std::optional<Touchdown> find_by_steps(double until);
+  /// The touch-down of a tip from `time` on and before `until`, in steps that it cannot outrun.
+  std::optional<Touchdown> by_steps(const contact::Geometry& tip, int blade, double time,
+                                    rotor::ShaftAndRing bodies, double until);
 
   /// Whether the shaft's centre reaches the ring before `until`, |c| = R, with no blade in contact (MODEL 5):
   /// the zero of the gap of a blade without length. False also where the meter ends the revolution.
@@ -104,8 +105,6 @@ class TouchdownSearch final : public trajectory::PieceWithoutContact {
   std::span<const FlightRow::Gaps> read(FlightRow& row, double time, const rotor::ShaftAndRing& bodies,
                                         double fourth_bound);
   std::optional<Touchdown> by_newton(int blade, double from, double to, double guess, double until);
-  std::optional<Touchdown> by_steps(const contact::Geometry& tip, int blade, double time,
-                                    rotor::ShaftAndRing bodies, double until);
 
   [[nodiscard]] const contact::Geometry& geometry(int blade) const {
     return blades_[static_cast<std::size_t>(blade)];

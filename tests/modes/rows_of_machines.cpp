@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -189,7 +190,12 @@ TEST(FlightRows, TheirTouchDownsAreThoseOfStepsThatNoTipCanOutrun) {
       const double until = flight.start_time() + between(generator, 0.0, 20.0);
       meter.begin_revolution(nobody);
       const auto touchdown = rows.find(until);
-      const auto expected = steps.find_by_steps(until);
+      std::optional<modes::TouchdownSearch::Touchdown> expected;
+      for (std::size_t k = 0; k < random.blades.size(); ++k) {
+        const auto touch = steps.by_steps(random.blades[k], static_cast<int>(k), flight.start_time(),
+                                          flight.at_start(), expected ? expected->time : until);
+        if (touch) expected = touch;
+      }
       ASSERT_EQ(touchdown.has_value(), expected.has_value()) << random.kind << ", trial " << trial;
       if (!touchdown) continue;
       ++found;
