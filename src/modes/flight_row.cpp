@@ -5,7 +5,6 @@
 #include <complex>
 #include <cstddef>
 
-#include "integrate/newton_between.hpp"
 #include "rotor/harmonic.hpp"
 #include "rotor/linear_support.hpp"
 
@@ -114,17 +113,15 @@ std::optional<double> FlightRow::only_crossing(const Gaps& gaps, int interval, d
   const double h = spacing();
   // |g' − cubic'| <= max|g''''| h³ √3/216.
   const double remainder = kOfRate * remainder_ / h;
-  const double from = interval == 0 ? gaps.before : gaps.gap[interval - 1];
-  const double from_rate = interval == 0 ? gaps.rate_before : gaps.rate[interval - 1];
-  const double to = gaps.gap[interval];
-  const double to_rate = gaps.rate[interval];
+  const auto [from, from_rate] = gaps.at(interval);
+  const auto [to, to_rate] = gaps.at(interval + 1);
   const double middle = 3.0 * (to - from) / h - from_rate - to_rate;
   if (!(from < -rounding && to > rounding && std::min({from_rate, middle, to_rate}) > remainder))
     return std::nullopt;
   const double square = 3.0 * (to - from) - (2.0 * from_rate + to_rate) * h;
   const double cube = (from_rate + to_rate) * h - 2.0 * (to - from);
-  const auto gap = [&, rate = from_rate * h](double share) {
-    return integrate::ValueAndSlope{from + share * (rate + share * (square + share * cube)),
+  const auto gap = [=, gap = from, rate = from_rate * h](double share) {
+    return integrate::ValueAndSlope{gap + share * (rate + share * (square + share * cube)),
                                     rate + share * (2.0 * square + share * 3.0 * cube)};
   };
   return h * integrate::newton_between(gap, 0.0, 1.0, from / (from - to), true, kClosest);

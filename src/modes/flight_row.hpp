@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "contact/pose.hpp"
+#include "integrate/newton_between.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/bodies.hpp"
 #include "rotor/constants.hpp"
@@ -137,6 +138,12 @@ class FlightRow {
     double rate_before;
     RowValues gap;
     RowValues rate;
+
+    /// Where an interval begins; the one after the last: where that ends.
+    [[nodiscard]] integrate::ValueAndSlope at(int interval) const {
+      if (interval == 0) return {before, rate_before};
+      return {gap[interval - 1], rate[interval - 1]};
+    }
   };
   /// `er`: direction of the blade at the start of the row.
   [[nodiscard]] Gaps gaps(const contact::Geometry& geometry, const contact::BladeDirection& er) const {

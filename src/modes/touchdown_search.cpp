@@ -115,8 +115,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
       if (first_doubts_[k] > doubt) continue;
       crossings_[k] = row.only_crossing(gaps[k], doubt, rounding_);
       // Of a tip that starts at the ring no row tells.
-      const double before = doubt == 0 ? gaps[k].before : gaps[k].gap[doubt - 1];
-      is_open = is_open || (!crossings_[k] && before < -rounding_);
+      is_open = is_open || (!crossings_[k] && gaps[k].at(doubt).value < -rounding_);
     }
     const bool refines = is_open && !(time < fine_until);
     const int passed = doubt == kTimesOfRow || refines ? doubt : doubt + 1;

@@ -74,11 +74,9 @@ void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::
                                 trajectory::Pass& nearest) {
   constexpr unsigned kBits = 28;  // a maximum is flat, so its value has twice as many
   const double h = row.spacing;
-  double gap_before = gaps.before;
-  double rate_before = gaps.rate_before;
   for (int i = 0; i < row.intervals && row.begin + i * h < end_; ++i) {
-    const double gap = gaps.gap[i];
-    const double rate = gaps.rate[i];
+    const auto [gap_before, rate_before] = gaps.at(i);
+    const auto [gap, rate] = gaps.at(i + 1);
     const double from = row.begin + i * h;
     const double miss = std::min(nearest.miss, ring_radius_);
     const double nearer = miss * (miss - 2.0 * ring_radius_);  // g of a tip that passes nearer than that
@@ -101,8 +99,6 @@ void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::
       if (there.overlap < 0.0 && -there.overlap < nearest.miss)
         nearest = {-there.overlap, there.side, blade, *top};
     }
-    gap_before = gap;
-    rate_before = rate;
   }
 }
 
