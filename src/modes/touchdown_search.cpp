@@ -181,8 +181,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_newton(int blade, 
         there.gap, contact::gap_rate(geometry(blade), there, machine_->blades.angular_speed(at))};
   };
   const double touches = integrate::newton_between(gap, from, to, guess, true, kLastStep);
-  if (!(touches < until)) return std::nullopt;
-  return Touchdown{blade, touches, flight_->state(touches)};
+  return touches < until ? std::optional(Touchdown{blade, touches}) : std::nullopt;
 }
 
 std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(const contact::Geometry& tip, int blade,
@@ -191,7 +190,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::by_steps(const contac
   while (time < until && meter_->spend(Work::flight, WorkPrice::kGap + flight_->price_of_state())) {
     ++evaluations_;
     const double step = clear_step(tip, blade, time, bodies, until);
-    if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{blade, time, bodies};
+    if (step <= kTimeResolution * std::max(1.0, time)) return Touchdown{blade, time};
     time += step;
     if (time < until) bodies = flight_->state(time);
   }

@@ -34,7 +34,6 @@ class TouchdownSearch final : public trajectory::PieceWithoutContact {
   struct Touchdown {
     int blade;
     double time;  ///< τ of the revolution
-    rotor::ShaftAndRing bodies;
   };
 
   /// Nothing also where the meter ends the revolution.

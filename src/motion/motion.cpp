@@ -114,7 +114,7 @@ modes::ModeEnd Motion::fly(double period, modes::MotionListener& listener) {
   if (end > time_) {
     listener.piece(search_.piece(end));
     if (meter_.ended()) return {Guard::failed, -1, meter_.why()};
-    state_ = touchdown ? touchdown->bodies : flight_.state(end);
+    state_ = flight_.state(end);
     time_ = end;
     if (!state_.isFinite().all()) return {Guard::failed, -1, ending::StatusDetail::beyond_precision};
   }
