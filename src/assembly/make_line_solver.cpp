@@ -25,8 +25,9 @@ std::unique_ptr<point::LineSolver> hybrid_solver(const LineRequest& request, mod
         // No step can be closer than positions are rounded: a clearance of nanometres asks for more.
         const double rounding = std::numeric_limits<double>::epsilon() * line.ring.radius;
         const double tolerance = std::max(line.accuracy.tolerance * machine.constants.length_scale, rounding);
-        const motion::Motion::Settings settings{{tolerance, line.validity.max_shortening}, make_phases};
-        return std::make_unique<motion::Motion>(std::move(machine), law->of_shortened(lost), settings);
+        const modes::ContactLimits limits{tolerance, line.validity.max_shortening};
+        return std::make_unique<motion::Motion>(std::move(machine), law->of_shortened(lost), limits,
+                                                make_phases);
       });
 }
 

@@ -19,7 +19,7 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
   using ending::StatusDetail;
   contacts_ = contacts;
   pending_ = false;
-  const std::uint64_t evaluations = law_->leans() ? law_->evaluations() : 0;
+  const std::int64_t price_before = price_of_searches(*law_);
   at_once_.reset();
   for (OpenContact& open : contacts_) {
     const TipPlace at = arc_.tip_place(open.blade, {.time = time, .bodies = state, .bending = {}});
@@ -40,9 +40,7 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
     }
     break;
   }
-  if (law_->leans())
-    setup_.meter->spend(Work::contact, static_cast<std::int64_t>(law_->evaluations() - evaluations) *
-                                           WorkPrice::kInclinedCurve);
+  setup_.meter->spend(Work::contact, price_of_searches(*law_) - price_before);
   if (at_once_) return StatusDetail::none;
   arc_.begin(time, state, contacts_);
   if (!arc_.starts_within_ring()) return StatusDetail::shaft_at_ring;

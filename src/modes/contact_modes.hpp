@@ -46,12 +46,6 @@ class ContactModes : public TipPlaces {
     }
   }
 
-  /// Price of all searches for equilibria up to now; nothing where they are short [ns].
-  [[nodiscard]] std::int64_t price_of_searches() const {
-    if (!law_->leans()) return 0;
-    return static_cast<std::int64_t>(law_->evaluations()) * WorkPrice::kInclinedCurve;
-  }
-
   /// Whether the blade that has just touched down, the last of these contacts, begins to skim. If so, it is
   /// the first of them from here on.
   bool begins_to_skim(const rotor::ContactState& state, std::vector<OpenContact>& contacts) const;

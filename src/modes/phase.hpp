@@ -62,6 +62,11 @@ class ContactPhases {
   virtual void each(const std::function<void(const Phase&)>& use) const = 0;
 };
 
+/// Price of all searches for equilibria under a law up to now; nothing where they are short [ns].
+inline std::int64_t price_of_searches(const Law& law) {
+  return law.leans() ? static_cast<std::int64_t>(law.evaluations()) * WorkPrice::kInclinedCurve : 0;
+}
+
 /// What bounds a mode in contact and how accurate it is.
 struct ContactLimits {
   double tolerance;       ///< local error of a step [m]: accuracy.tolerance × δc

@@ -17,9 +17,10 @@ constexpr double kShortestCycle = 1e-9;
 
 }  // namespace
 
-Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings)
+Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const modes::ContactLimits& limits,
+               modes::MakePhases* make_phases)
     : machine_(std::move(machine)),
-      modes_(machine_, std::move(law), settings.limits, meter_, settings.make_phases),
+      modes_(machine_, std::move(law), limits, meter_, make_phases),
       flight_(machine_),
       search_(flight_, geometries(), meter_),
       reversals_(static_cast<std::size_t>(machine_.blades.count())) {
@@ -68,10 +69,10 @@ ending::StatusDetail Motion::revolution(modes::MotionListener& listener, const m
     const modes::ModeEnd end = phase_ == nullptr ? fly(period, listener) : touch(period, listener);
     if (end.guard == modes::Guard::horizon) return finish_revolution(period);
     if (end.guard == modes::Guard::failed || end.guard == modes::Guard::left_validity) return end.why;
-    const std::int64_t price_before = modes_.price_of_searches();
+    const std::int64_t price_before = modes::price_of_searches(law());
     if (const auto why = reset(end, listener); why != ending::StatusDetail::none) return why;
     if (!place_ring()) return ending::StatusDetail::ring_unbalanced;
-    meter_.spend(modes::Work::events, modes_.price_of_searches() - price_before);
+    meter_.spend(modes::Work::events, modes::price_of_searches(law()) - price_before);
   }
   return meter_.why();
 }

@@ -21,12 +21,8 @@ namespace rubatlas::motion {
 
 class Motion final : public PointMotion {
  public:
-  /// How contacts are computed.
-  struct Settings {
-    modes::ContactLimits limits;
-    modes::MakePhases* make_phases = modes::phases_on_arcs;
-  };
-  Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const Settings& settings);
+  Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const modes::ContactLimits& limits,
+         modes::MakePhases* make_phases);
 
   /// Blades with g > 0 are in contact (MODEL 4.4).
   ending::StatusDetail start(const PointStart& start) override;

@@ -39,10 +39,8 @@ std::unique_ptr<collocation::Law> law_of(const Blades<contact::ElasticBladeOnDam
 template <class Law>
 std::unique_ptr<motion::Motion> hybrid_motion(const rotor::Machine& machine, const Law& law,
                                               const modes::ContactLimits& limits, bool collocates = false) {
-  using Settings = motion::Motion::Settings;
-  return std::make_unique<motion::Motion>(
-      machine, law_of(laws_of(law, machine.blades.count())),
-      Settings{limits, collocates ? modes::phases_on_arcs : assembly::phases_in_steps});
+  return std::make_unique<motion::Motion>(machine, law_of(laws_of(law, machine.blades.count())), limits,
+                                          collocates ? modes::phases_on_arcs : assembly::phases_in_steps);
 }
 template <class Law, class Forcing>
 std::unique_ptr<motion::Motion> hybrid_motion(const rotor::RotorConstants& rotor,
