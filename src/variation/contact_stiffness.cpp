@@ -5,6 +5,7 @@
 #include <memory>
 #include <unsupported/Eigen/AutoDiff>
 
+#include "blade/inclined_elastica.hpp"
 #include "variation/parts_of_scene.hpp"
 
 namespace rubatlas::variation {
@@ -79,17 +80,12 @@ struct ContactStiffness::Tip {
 };
 
 ContactStiffness::ContactStiffness(const settings::Scene& line) : friction_(friction_of(line)) {
-  for (const settings::Blades& blade : each_blade(line)) {
-    const contact::Geometry geometry = geometry_of(line.ring, blade);
-    if (line.contact.law == settings::ContactLaw::elastic_ring) {
-      laws_.emplace_back(RigidBlade(geometry, line.ring.stiffness, friction_));
-    } else if (!friction_.has_slip_state()) {
-      laws_.emplace_back(DirectedBlade(contact::LoadDirection::axial, geometry, blade_of(blade), friction_));
-    } else {
-      laws_.emplace_back(
-          ElasticBlade(geometry, blade_of(blade), curve_of(line.contact.friction, theory_of(line))));
-    }
-  }
+  if (line.contact.law == settings::ContactLaw::elastic_ring)
+    ring_stiffness_ = line.ring.stiffness;
+  else if (friction_.has_slip_state())
+    curve_ = curve_of(line.contact.friction, theory_of(line));
+  for (const settings::Blades& blade : each_blade(line))
+    in_ring_.emplace_back(geometry_of(line.ring, blade), blade_of(blade));
 }
 
 void ContactStiffness::begin(const rotor::Machine& machine) {
@@ -99,8 +95,8 @@ void ContactStiffness::begin(const rotor::Machine& machine) {
 
 std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contact, double time,
                                                            const State& state) const {
-  const Law& law = of_blade(contact.blade);
-  const contact::Geometry& geometry = geometry_at(contact.blade);
+  const contact::ElasticBladeInRing& law = of_blade(contact.blade);
+  const contact::Geometry& geometry = law.geometry();
   const contact::BladeDirection direction = blades_.direction(contact.blade, blades_.first(time));
   const Number turned(0.0, rotor_.speed_ratio * Slopes::Unit(kTime));
   const Number er_x = of(direction.cosine, -direction.sine, turned);
@@ -112,29 +108,30 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
   Tip tip;
   Vector bent{Number(0.0), Number(0.0)};
   Number load(0.0), load_angle(0.0);
-  if (const auto* elastic = std::get_if<ElasticBlade>(&law)) {
+  if (curve_) {
     double bending = contact.bending;
     if (!contact.carried) {
       const contact::Pose pose = rotor::pose_of(rotor_, geometry, direction, rotor::as_state(state));
-      const auto root = elastic->solve_near(pose, contact.slip, bending);
+      const contact::ElasticaContact elastic(geometry, law.blade(), curve_);
+      const auto root = elastic.solve_near(pose, contact.slip, bending);
       if (!root) return std::nullopt;
       bending = *root;
     }
-    const blade::CurvePoint point = elastic->curve().at(bending);
+    const blade::CurvePoint point = curve_->at(bending);
     const Number u = variable(bending, kBend);
-    bent.along = elastic->length() * of(point.shortening, point.shortening_slope, u);
-    bent.across = contact.slip * elastic->length() * of(point.deflection, point.deflection_slope, u);
-    load = elastic->load_unit() * of(point.load, point.load_slope, u);
-  } else if (const auto* directed = std::get_if<DirectedBlade>(&law)) {
+    bent.along = law.length() * of(point.shortening, point.shortening_slope, u);
+    bent.across = contact.slip * law.length() * of(point.deflection, point.deflection_slope, u);
+    load = law.load_unit() * of(point.load, point.load_slope, u);
+  } else if (!is_rigid()) {
     const blade::InclinedPoint point = blade::inclined_equilibrium({contact.modulus, contact.amplitude});
     const auto of_bend = [](const auto& quantity) {
       Slopes slopes = Slopes::Zero();
       slopes.segment<2>(kBend) << quantity.by_modulus, quantity.by_amplitude;
       return Number(quantity.value, slopes);
     };
-    bent.along = directed->length() * of_bend(point.shortening);
-    bent.across = directed->length() * of_bend(point.deflection);
-    load = directed->load_unit() * of_bend(point.load);
+    bent.along = law.length() * of_bend(point.shortening);
+    bent.across = law.length() * of_bend(point.deflection);
+    load = law.load_unit() * of_bend(point.load);
     load_angle = of_bend(point.load_angle);
   }
   const Vector unbent = contact::unbent_tip(geometry, at);
@@ -147,12 +144,12 @@ std::optional<ContactStiffness::Tip> ContactStiffness::tip(const Contact& contac
 
   const auto [coefficient, by_velocity] = friction_.at(slip_velocity.value(), contact.slip);
   const Number friction = of(coefficient, by_velocity, slip_velocity);
-  if (const auto* rigid = std::get_if<RigidBlade>(&law)) {
-    load = rigid->stiffness() * (distance - geometry.ring_radius);
+  if (is_rigid()) {
+    load = ring_stiffness_ * (distance - geometry.ring_radius);
   } else {
     tip.constraints.row(0) = contact::contact_equation(at.gap, unbent, bent).derivatives();
   }
-  if (std::holds_alternative<DirectedBlade>(law)) {
+  if (needs_acceleration()) {
     const Number secant_square = friction * friction + 1.0;
     const Number angle = of(std::atan(friction.value()), 1.0 / secant_square.value(), friction);
     tip.constraints.row(1) = (load_angle - angle).derivatives();
@@ -190,7 +187,7 @@ std::optional<ForceSlopes> ContactStiffness::along_path(const trajectory::PathPo
 }
 
 ContactStiffness::Guard ContactStiffness::gap(int blade, double time, const State& state) const {
-  const contact::Geometry& geometry = geometry_at(blade);
+  const contact::Geometry& geometry = of_blade(blade).geometry();
   const contact::BladeDirection er = blades_.direction(blade, blades_.first(time));
   const contact::Pose pose = rotor::pose_of(rotor_, geometry, er, rotor::as_state(state));
   Guard guard;

@@ -15,13 +15,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
-#include <variant>
 #include <vector>
 
-#include "contact/directed_elastica.hpp"
-#include "contact/elastic_ring_contact.hpp"
 #include "contact/elastica_contact.hpp"
+#include "contact/friction_law.hpp"
 #include "rotor/blade_set.hpp"
 #include "rotor/constants.hpp"
 #include "rotor/machine.hpp"
@@ -54,9 +53,7 @@ class ContactStiffness {
                                                       const PathScale& scale,
                                                       const Eigen::Vector2d& acceleration) const;
   /// The bending of a blade changes with the acceleration of the shaft, through the slip velocity.
-  [[nodiscard]] bool needs_acceleration() const {
-    return std::holds_alternative<DirectedBlade>(laws_.front());
-  }
+  [[nodiscard]] bool needs_acceleration() const { return !friction_.has_slip_state() && !is_rigid(); }
 
   /// A guard e of a blade: its gradient by the shaft's state, and its rate along the motion.
   struct Guard {
@@ -72,23 +69,19 @@ class ContactStiffness {
                                           const Eigen::Vector2d& acceleration) const;
 
  private:
-  using RigidBlade = contact::ElasticRingContact;
-  using ElasticBlade = contact::ElasticaContact;
-  /// Whose friction depends on the slip velocity.
-  using DirectedBlade = contact::DirectedElastica;
-  using Law = std::variant<ElasticBlade, RigidBlade, DirectedBlade>;
-  [[nodiscard]] const Law& of_blade(int blade) const { return laws_[static_cast<std::size_t>(blade)]; }
-  [[nodiscard]] const contact::Geometry& geometry_at(int blade) const {
-    return std::visit([](const auto& law) -> const contact::Geometry& { return law.geometry(); },
-                      of_blade(blade));
+  [[nodiscard]] const contact::ElasticBladeInRing& of_blade(int blade) const {
+    return in_ring_[static_cast<std::size_t>(blade)];
   }
+  [[nodiscard]] bool is_rigid() const { return ring_stiffness_ > 0.0; }
 
   struct Tip;
   [[nodiscard]] std::optional<Tip> tip(const trajectory::PathPoint::Contact& contact, double time,
                                        const trajectory::State& state) const;
 
   contact::Friction friction_;
-  std::vector<Law> laws_;
+  double ring_stiffness_ = 0.0;  ///< kr of a ring that yields to rigid blades [N/m]; 0: blades are elastic
+  std::shared_ptr<const blade::ElasticaCurve> curve_;  ///< of elastic blades whose friction has the sign of s
+  std::vector<contact::ElasticBladeInRing> in_ring_;
   rotor::RotorConstants rotor_{};
   rotor::BladeSet blades_{0, 0.0};
 };
