@@ -25,11 +25,10 @@ std::optional<double> ElasticaContact::solve(const Pose& at, double slip) const 
   const bool outside = at.gap < -gap_rounding(geometry(), at);
   if (has_branches() || (releases_at_fold() && outside)) {
     if (may_stand_straight() && !outside && straight_load(at) <= blade::kEulerLoad) return 0.0;
-    const Branches all = branches(at, slip);
-    for (std::size_t i = 0; i < all.count; ++i) {
+    for (const Branch& branch : branches(at, slip)) {
       // An undeformed tip that has left the ring has a contact on the bent branch only.
-      if (outside && all.list[i].begin == 0.0) continue;
-      if (const auto root = root_on(at, slip, all.list[i])) return root;
+      if (outside && branch.begin == 0.0) continue;
+      if (const auto root = root_on(at, slip, branch)) return root;
     }
     return std::nullopt;
   }
@@ -64,10 +63,10 @@ double ElasticaContact::bending_at_ring(const Pose& at, double slip) const {
   return 0.0;
 }
 
-auto ElasticaContact::branches(const Pose& at, double slip) const -> Branches {
+auto ElasticaContact::branches(const Pose& at, double slip) const -> std::vector<Branch> {
   const auto& knots = curve_->knots();
   const auto rise_at = [&](double bending) { return rise(at, slip, curve_at(bending)).sum; };
-  Branches found;
+  std::vector<Branch> found;
   double before = 0.0;
   double at_before = slope(at, slip, knots.front()).sum;
   bool falls = at_before < 0.0;
@@ -75,7 +74,7 @@ auto ElasticaContact::branches(const Pose& at, double slip) const -> Branches {
   double crest = 0.0;
   double at_crest = 0.0;
   const auto close = [&](double end) {
-    found.list[found.count++] = {begin, end, crest};
+    found.push_back({begin, end, crest});
     at_crest = 0.0;
   };
   const auto pass = [&](double bending, double value) {
@@ -94,7 +93,7 @@ auto ElasticaContact::branches(const Pose& at, double slip) const -> Branches {
     at_before = value;
   };
   double at_knot = slope(at, slip, knots[1]).sum;
-  for (std::size_t i = 1; i < knots.size() && found.count < found.list.size(); ++i) {
+  for (std::size_t i = 1; i < knots.size(); ++i) {
     const blade::ElasticaCurve::Knot& following = knots[std::min(i + 1, knots.size() - 1)];
     const double at_next = slope(at, slip, following).sum;
     // Between two knots where h falls it may rise: near a highest value that is close to zero.
@@ -111,7 +110,7 @@ auto ElasticaContact::branches(const Pose& at, double slip) const -> Branches {
     if (top.second < 0.0) pass(top.first, -top.second);
     at_knot = at_next;
   }
-  if (falls && found.count < found.list.size()) close(curve_->end());
+  if (falls) close(curve_->end());
   return found;
 }
 
@@ -142,14 +141,14 @@ bool ElasticaContact::ends_unloaded(const Pose& at, double slip, double bending)
   if (!starts_unloaded(at, slip)) return false;
   if (!has_branches() || bending == 0.0) return true;
   if (may_stand_straight()) return false;
-  const Branches all = branches(at, slip);
-  return all.count == 0 || !(all.list[all.of(bending)].begin > 0.0);
+  const std::vector<Branch> all = branches(at, slip);
+  return all.empty() || !(all[place_of(bending, all)].begin > 0.0);
 }
 
 std::optional<double> ElasticaContact::snap(const Pose& at, double slip, double bending,
                                             double angular_speed) const {
-  const Branches all = branches(at, slip);
-  std::size_t next = all.of(bending);
+  const std::vector<Branch> all = branches(at, slip);
+  std::size_t next = place_of(bending, all);
   if (may_stand_straight() && bending == 0.0) {
     // Straight before, and bent is what comes next.
   } else if (closes_in(at, slip, bending, angular_speed)) {
@@ -161,15 +160,15 @@ std::optional<double> ElasticaContact::snap(const Pose& at, double slip, double 
   } else {
     --next;
   }
-  return next < all.count ? root_on(at, slip, all.list[next]) : std::nullopt;
+  return next < all.size() ? root_on(at, slip, all[next]) : std::nullopt;
 }
 
 std::optional<double> ElasticaContact::solve_near(const Pose& at, double slip, double bending) const {
   if (has_branches() && bending == 0.0) {
     if (may_stand_straight() && straight_load(at) <= blade::kEulerLoad) return 0.0;
     // What starts from the unloaded blade, or the column where it buckles without a jump.
-    const Branches all = branches(at, slip);
-    if (all.count > 0 && all.list[0].begin == 0.0) return root_on(at, slip, all.list[0]);
+    const std::vector<Branch> all = branches(at, slip);
+    if (!all.empty() && all.front().begin == 0.0) return root_on(at, slip, all.front());
     return may_stand_straight() ? std::nullopt : solve(at, slip);
   }
   // Newton on the falling branch. Its floor is the rounding of g against the slope, so it ends when a step no
@@ -200,8 +199,8 @@ std::optional<double> ElasticaContact::solve_near(const Pose& at, double slip, d
     previous = size;
   }
   if (!has_branches()) return solve(at, slip);
-  const Branches all = branches(at, slip);
-  return all.count > 0 ? root_on(at, slip, all.list[all.of(from)]) : std::nullopt;
+  const std::vector<Branch> all = branches(at, slip);
+  return all.empty() ? std::nullopt : root_on(at, slip, all[place_of(from, all)]);
 }
 
 bool ElasticaContact::respond(const Pose& at, double slip, double angular_speed, double& bending,

@@ -20,7 +20,6 @@
 /// bends: straight, `bending` = 0, and bent are its two branches. It is solved for.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +27,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "blade/elastica_curve.hpp"
 #include "contact/friction_law.hpp"
@@ -232,18 +232,13 @@ class ElasticaContact : public ElasticBladeInRing {
     double crest;  ///< u before it where h rises most steeply; 0: nowhere
   };
   /// In the order of the load. In 24 000 random poses there were never more than two.
-  struct Branches {
-    std::array<Branch, 3> list;
-    std::size_t count = 0;
-
-    /// Place of the branch of a blade bent by u, or whose end it has just passed.
-    [[nodiscard]] std::size_t of(double bending) const {
-      std::size_t place = 0;
-      while (place + 1 < count && bending >= list[place + 1].crest) ++place;
-      return place;
-    }
-  };
-  [[nodiscard]] Branches branches(const Pose& at, double slip) const;
+  [[nodiscard]] std::vector<Branch> branches(const Pose& at, double slip) const;
+  /// Place of the branch of a blade bent by u, or whose end it has just passed.
+  static std::size_t place_of(double bending, const std::vector<Branch>& branches) {
+    std::size_t place = 0;
+    while (place + 1 < branches.size() && bending >= branches[place + 1].crest) ++place;
+    return place;
+  }
   [[nodiscard]] std::optional<double> root_on(const Pose& at, double slip, const Branch& branch) const;
 
   Ring ring_;
