@@ -261,7 +261,7 @@ Collocated::LargestLoad Collocated::largest(trajectory::Load load, std::size_t c
   const bool of_force = load == trajectory::Load::normal_force;
   const auto there = arc_.most_loaded(blade(contact), of_force, piece_begin_, piece_end_, known);
   if (!there) return {piece_begin_, known};
-  const contact::TipForce force_there = force(contact, *there);
+  const trajectory::ContactForce force_there = contact_force(contact, *there);
   return {there->time, of_force ? force_there.normal : force_there.root_strain};
 }
 

@@ -84,9 +84,6 @@ class Collocated final : public Phase, public ContactPhases {
   [[nodiscard]] bool is_whole() const {
     return piece_begin_ == arc_.start().time && piece_end_ == arc_.end().time;
   }
-  [[nodiscard]] contact::TipForce force(std::size_t contact, const Point& point) const {
-    return arc_.force(arc_.touch_of(blade(contact), point), point);
-  }
   [[nodiscard]] trajectory::ContactForce contact_force(std::size_t contact, const Point& point) const {
     return contact_force(contact, point, arc_.direction(blade(contact), point.time));
   }
