@@ -64,10 +64,6 @@ rotor::AnyShaft shaft_of(const settings::Scene& line, double speed_ratio) {
   return {rotor::SupportedShaft(rotor::LinearSupport(matrices.stiffness, matrices.damping, forcing))};
 }
 
-rotor::BladeSet blades_of(const settings::Scene& line, double speed_ratio) {
-  return {angles_of(line), speed_ratio, line.speed_ripple.value_or(effects::SpeedRipple{})};
-}
-
 rotor::Ring ring_of(const settings::Scene& line) {
   if (!effects::acts<&Effects::ring_body>(line)) return {};
   const double stiffness = 1.0 / line.ring_body->compliance;
@@ -79,7 +75,9 @@ rotor::Ring ring_of(const settings::Scene& line) {
 }  // namespace
 
 rotor::Machine machine_of(const settings::Scene& line, double speed_ratio) {
-  return {constants_of(line, speed_ratio), blades_of(line, speed_ratio), shaft_of(line, speed_ratio),
+  return {constants_of(line, speed_ratio),
+          {angles_of(line), speed_ratio, line.speed_ripple.value_or(effects::SpeedRipple{})},
+          shaft_of(line, speed_ratio),
           ring_of(line)};
 }
 
