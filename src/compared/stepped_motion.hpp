@@ -127,6 +127,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
   using System = SteppedSystem<typename Scheme::Search, Scheme::kLocated>;
 
   static constexpr double kSmallestSize = 1e-15;  ///< in τ
+  static constexpr modes::WorkBound kWorkBound{10'000'000'000, 40'000'000'000, 2'000'000'000};
 
   /// Counts what the attempt before has cost; false where the revolution is to end here.
   bool spend() {
@@ -293,7 +294,7 @@ class SteppedMotion final : public motion::PointMotion, public trajectory::Motio
   double end_time_ = 0.0;             ///< of the piece
   std::vector<SteppedBlade> before_;  ///< at the start of the step
   std::vector<std::size_t> open_;     ///< blades in contact there
-  modes::WorkMeter meter_{modes::WorkBound::kStepped};
+  modes::WorkMeter meter_{kWorkBound};
   std::uint64_t paid_evaluations_ = 0;  ///< of curves, whose price the meter knows
   motion::WorkCounts work_;
 };

@@ -11,9 +11,6 @@ constexpr std::int64_t kBetweenLooks = 2'000'000;
 
 }  // namespace
 
-const WorkBound WorkBound::kHybrid{2'000'000'000, 2'000'000'000, 100'000'000};
-const WorkBound WorkBound::kStepped{10'000'000'000, 40'000'000'000, 2'000'000'000};
-
 void WorkMeter::begin_revolution(const GoOn& go_on) {
   spent_before_ = total();
   spent_.fill(0);
@@ -33,8 +30,7 @@ bool WorkMeter::look() {
   constexpr std::array kDetails{ending::StatusDetail::contact_work, ending::StatusDetail::flight_work,
                                 ending::StatusDetail::event_work};
   if (ended()) return false;
-  const std::int64_t allowed = revolutions_ > 0 ? allowed_ : bound_->revolution;
-  if (total() - spent_before_ > allowed) {
+  if (total() - spent_before_ > allowed_) {
     const auto most = std::max_element(spent_.begin(), spent_.end()) - spent_.begin();
     why_ = kDetails[static_cast<std::size_t>(most)];
   } else if (go_on_ != nullptr && *go_on_ && !(*go_on_)()) {

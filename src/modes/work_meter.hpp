@@ -39,14 +39,12 @@ struct WorkBound {
   std::int64_t revolution;          ///< one revolution
   std::int64_t point;               ///< a point, or, if that is more,
   std::int64_t of_each_revolution;  ///< so much for each revolution that it has begun
-
-  static const WorkBound kHybrid;
-  static const WorkBound kStepped;  ///< of the methods that `hybrid` is compared with
 };
+inline constexpr WorkBound kWorkBound{2'000'000'000, 2'000'000'000, 100'000'000};
 
 class WorkMeter {
  public:
-  explicit WorkMeter(const WorkBound& bound = WorkBound::kHybrid) : bound_(&bound) {}
+  explicit WorkMeter(const WorkBound& bound = kWorkBound) : bound_(&bound) {}
 
   void begin_revolution(const GoOn& go_on);
 
@@ -66,8 +64,8 @@ class WorkMeter {
   bool look();
 
   const WorkBound* bound_;
-  std::int64_t revolutions_ = 0;  ///< begun
-  std::int64_t allowed_ = 0;      ///< in this revolution
+  std::int64_t revolutions_ = 0;               ///< begun
+  std::int64_t allowed_ = bound_->revolution;  ///< in this revolution
   std::int64_t until_look_ = 0;
   std::array<std::int64_t, 3> spent_{};  ///< in this revolution
   std::int64_t spent_before_ = 0;        ///< in the revolutions before

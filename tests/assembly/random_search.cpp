@@ -44,7 +44,7 @@ std::vector<Shard> shards(std::uint64_t count, std::uint64_t scenes) {
 /// attempt of a step may pass it.
 void expect_bounded_work(const point::PointOutcome& outcome) {
   constexpr std::int64_t kBeyond = 50'000'000;
-  ASSERT_LE(outcome.work.price, modes::WorkBound::kHybrid.point + kBeyond);
+  ASSERT_LE(outcome.work.price, modes::kWorkBound.point + kBeyond);
 }
 
 /// Runs a random scene; none where its end is not an honest one, or its work not bounded.

@@ -114,7 +114,7 @@ TEST(WorkOfAPoint, HopsWithoutNumberEndItAfterTheRevolutionsThatTheBoundAllows) 
       << ending::text_of(outcome.detail);
   EXPECT_GE(outcome.failed_revolution, 2);
   EXPECT_GT(outcome.work.touchdowns, 100'000U);
-  EXPECT_LT(outcome.work.price, 1.01 * static_cast<double>(modes::WorkBound::kHybrid.point));
+  EXPECT_LT(outcome.work.price, 1.01 * static_cast<double>(modes::kWorkBound.point));
 }
 
 TEST(WorkOfAPoint, ASupportThatDoublePrecisionDoesNotHoldEndsAtOnce) {
