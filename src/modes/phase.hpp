@@ -51,9 +51,6 @@ class Phase : public trajectory::MotionPiece {
 /// The phases of a motion under one law.
 class ContactPhases {
  public:
-  ContactPhases() = default;
-  ContactPhases(const ContactPhases&) = delete;
-  ContactPhases& operator=(const ContactPhases&) = delete;
   virtual ~ContactPhases() = default;
 
   /// The one for contacts that slip, rest or skim like these.

@@ -25,9 +25,6 @@ inline bool any_rests(std::span<const OpenContact> contacts) {
 
 class RestJudge {
  public:
-  RestJudge() = default;
-  RestJudge(const RestJudge&) = delete;
-  RestJudge& operator=(const RestJudge&) = delete;
   virtual ~RestJudge() = default;
 
   /// Frees the tips at rest that friction cannot hold in a state. False where a tip is left neither rest nor

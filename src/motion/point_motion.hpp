@@ -18,9 +18,6 @@ namespace rubatlas::motion {
 
 class PointMotion {
  public:
-  PointMotion() = default;
-  PointMotion(const PointMotion&) = delete;
-  PointMotion& operator=(const PointMotion&) = delete;
   virtual ~PointMotion() = default;
 
   // Each says what has ended the motion, `none` where it goes on.
