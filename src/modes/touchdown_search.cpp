@@ -99,15 +99,17 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
   if (bound + std::abs(machine_->constants.misalignment) <= ring_radius_ - farthest_) return std::nullopt;
   const std::int64_t price = price_of_row();
   Outlook ahead = outlook(time, bodies, until, false);
-  double fine_until = time;  // the end of an interval that a finer row looks at
+  double fine_until = time;     // the end of an interval that a finer row looks at
+  int left_open = kTimesOfRow;  // the interval of the row before that this one looks at
   for (int rows = 1; time < until; ++rows) {
     if (!meter_->spend(Work::flight, price)) return std::nullopt;
     FlightRow& row = *ahead.row;
-    const std::span<const FlightRow::Gaps> gaps = read(row, time, bodies, ahead.fourth);
-    evaluations_ += blades_.size();
+    const std::span<const FlightRow::Gaps> gaps = read(row, time, bodies, ahead.fourth, left_open);
     int doubt = kTimesOfRow;
     for (std::size_t k = 0; k < gaps.size(); ++k) {
-      first_doubts_[k] = row.first_doubt(gaps[k], rounding_);
+      const bool stays_clear = first_doubts_[k] > left_open;
+      first_doubts_[k] = stays_clear ? kTimesOfRow : row.first_doubt(gaps[k], rounding_);
+      if (!stays_clear) ++evaluations_;
       doubt = std::min(doubt, first_doubts_[k]);
     }
     bool is_open = false;  // a tip may touch in that interval, or not
@@ -125,6 +127,7 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
       bodies = rows % kRowsFromClosedForm != 0 ? row.state(doubt - 1) : flight_->state(time);
     }
     if (time >= until) break;
+    left_open = refines && !keeps_rows_ ? doubt : kTimesOfRow;
     if (refines) {
       fine_until = time + row.spacing();
       ahead.row = &row_of(row.spacing() / kTimesOfRow);
@@ -155,16 +158,21 @@ std::optional<TouchdownSearch::Touchdown> TouchdownSearch::find(double until) {
   return std::nullopt;
 }
 
-/// Moves a row to a time of the flight and reads all gaps, behind those of the rows that are kept.
+/// Moves a row to a time of the flight and reads gaps, behind those of the rows that are kept: of the blades
+/// of which the row before may have left open the interval that this one looks at.
 std::span<const FlightRow::Gaps> TouchdownSearch::read(FlightRow& row, double time,
-                                                       const rotor::ShaftAndRing& bodies,
-                                                       double fourth_bound) {
+                                                       const rotor::ShaftAndRing& bodies, double fourth_bound,
+                                                       int left_open) {
   row.start(time, bodies, fourth_bound);
   const std::size_t kept = rows_.size() * blades_.size();
   gaps_.resize(kept);
   const contact::BladeDirection first = machine_->blades.first(time);
-  for (std::size_t k = 0; k < blades_.size(); ++k)
-    gaps_.push_back(row.gaps(blades_[k], machine_->blades.direction(static_cast<int>(k), first)));
+  for (std::size_t k = 0; k < blades_.size(); ++k) {
+    if (first_doubts_[k] <= left_open)
+      gaps_.push_back(row.gaps(blades_[k], machine_->blades.direction(static_cast<int>(k), first)));
+    else
+      gaps_.emplace_back();
+  }
   return std::span(gaps_).subspan(kept);
 }
 

@@ -102,7 +102,7 @@ class TouchdownSearch final : public trajectory::PieceWithoutContact {
     return rows_by_spacing_.try_emplace(spacing, *machine_, spacing).first->second;
   }
   std::span<const FlightRow::Gaps> read(FlightRow& row, double time, const rotor::ShaftAndRing& bodies,
-                                        double fourth_bound);
+                                        double fourth_bound, int left_open);
   std::optional<Touchdown> by_newton(int blade, double from, double to, double guess, double until);
 
   [[nodiscard]] const contact::Geometry& geometry(int blade) const {

@@ -53,7 +53,7 @@ double TouchdownSearch::look_along(double from) {
   const auto count = static_cast<int>(std::min(std::ceil((end_ - from) / length), double{kMostRows}));
   for (int number = 0; number < count && meter_->spend(Work::flight, price_of_row()); ++number) {
     const double time = from + number * length;
-    read(row, time, bodies, 0.0);
+    read(row, time, bodies, 0.0, kTimesOfRow);
     rows_.push_back({time, row.spacing(), kTimesOfRow});
     bodies = row.state(kTimesOfRow - 1);
   }
