@@ -77,6 +77,21 @@ class BendingInLanes {
     return loaded_part<kRowWidth>(coefficients + 4 * power + part * kRowWidth);
   }
   static Bend across(const Rows& rows) {
+    if constexpr (kWidth == 4) {
+      // Two rows, of which each has two quantities of two nodes, make one of four nodes.
+      Bend bend;
+      for (std::size_t part = 0; part < Number::kParts; ++part) {
+        const auto* const row = &rows[part * kWidth];
+        const Row even_of_first = __builtin_shufflevector(row[0][0], row[1][0], 0, 4, 2, 6);
+        const Row even_of_last = __builtin_shufflevector(row[2][0], row[3][0], 0, 4, 2, 6);
+        const Row odd_of_first = __builtin_shufflevector(row[0][0], row[1][0], 1, 5, 3, 7);
+        const Row odd_of_last = __builtin_shufflevector(row[2][0], row[3][0], 1, 5, 3, 7);
+        bend.load.part(part) = __builtin_shufflevector(even_of_first, even_of_last, 0, 1, 4, 5);
+        bend.shortening.part(part) = __builtin_shufflevector(odd_of_first, odd_of_last, 0, 1, 4, 5);
+        bend.deflection.part(part) = __builtin_shufflevector(even_of_first, even_of_last, 2, 3, 6, 7);
+      }
+      return bend;
+    }
     const auto quantity = [&](std::size_t q) {
       return Number::each([&](std::size_t k) { return rows[k][q / kRowWidth][q % kRowWidth]; });
     };

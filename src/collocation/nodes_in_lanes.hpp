@@ -115,6 +115,9 @@ class Lanes {
     return result;
   }
 
+  /// The numbers of a register.
+  Part& part(std::size_t number) { return part_[number]; }
+
   /// From a function that gives the number at node j.
   template <class Function>
   static Lanes each(Function function) {
