@@ -26,7 +26,6 @@ ContactArc::ContactArc(const rotor::Machine& machine, Law& law, double tolerance
       blades_(&machine.blades),
       law_(&law),
       tolerance_(tolerance),
-      max_shortening_(max_shortening),
       machine_(machine, law.geometry(0).ring_radius),
       solver_(interval_solver()),
       predictor_(machine, law),
@@ -39,6 +38,7 @@ ContactArc::ContactArc(const rotor::Machine& machine, Law& law, double tolerance
   for (int k = 0; k < blades_->count(); ++k) {
     from_first_.push_back(blades_->direction(k, {1.0, 0.0}));
     numbers_.push_back(law.numbers(k));
+    numbers_.back().valid_shortening = std::min(max_shortening, law.largest_shortening(k));
   }
 }
 

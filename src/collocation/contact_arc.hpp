@@ -138,7 +138,11 @@ class ContactArc {
     return law_->force(touch, tip_place(touch.blade, point));
   }
   /// Bound of the gaps of the blades that do not touch, within the interval [m²].
-  [[nodiscard]] double gap_bound_of_others() const { return gap_bound_of_others_; }
+  [[nodiscard]] double gap_bound_of_others() const {
+    double largest = -std::numeric_limits<double>::infinity();
+    for (const int blade : others_) largest = std::max(largest, gap_bound(blade, made()));
+    return largest;
+  }
   /// θ and g where the tip of a blade, straight, is farthest out within the interval, if it is there.
   [[nodiscard]] std::optional<integrate::Sample> top_of_tip(int blade) const {
     return top_of(course_of_tip(made(), blade));
@@ -146,7 +150,7 @@ class ContactArc {
   /// At θ, or close by: the end of the stretch up to there, solved for itself.
   [[nodiscard]] Point solved_at_fraction(double fraction);
   /// Bound of |z| in the interval [m].
-  [[nodiscard]] double displacement_bound() const { return bounds_.displacement; }
+  [[nodiscard]] double displacement_bound() const { return solver_.largest_displacement(made()); }
 
   /// Sets the time back by a revolution.
   void shift_time(double period);
@@ -233,7 +237,7 @@ class ContactArc {
   [[nodiscard]] TipCourse course_of_tip(const Interval& interval, int blade) const {
     return collocation::course_of_tip(machine(), interval, numbers(blade), offset_of(blade));
   }
-  [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before);
+  [[nodiscard]] std::optional<Ending> touch_down(const Interval& interval, Ending before) const;
   [[nodiscard]] int touches_at_once() const;
   [[nodiscard]] bool is_shorter_than(double duration) const;
   Outcome rebound();
@@ -243,7 +247,11 @@ class ContactArc {
   [[nodiscard]] bool lifts_off_at_once() const;
   Outcome end_at_once(Guard guard, int blade, bool inside = false);
   [[nodiscard]] bool starts_inside(int blade) const;
-  bool stays_off(int blade, const Interval& interval, double allowed);
+  [[nodiscard]] double gap_bound(int blade, const Interval& interval) const {
+    return solver_.largest_gap(machine(), interval, numbers(blade), offset_of(blade));
+  }
+  [[nodiscard]] bool stays_far_off(int blade, const Interval& interval) const;
+  [[nodiscard]] bool stays_off(int blade, const Interval& interval, double allowed) const;
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it. Or
   /// its ending is met at once, where it starts.
   enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, at_once };
@@ -273,10 +281,6 @@ class ContactArc {
   /// The contact of the leading blade, bent, goes on beyond the ring up to its fold.
   [[nodiscard]] bool is_held_beyond_ring() const {
     return law_->releases_at_fold(leader()) && !is_straight(leader());
-  }
-  /// Up to which δ/L its contact is valid.
-  [[nodiscard]] double valid_shortening(int blade) const {
-    return std::min(max_shortening_, law_->largest_shortening(blade));
   }
   /// Slip to this side may reverse.
   [[nodiscard]] bool reverses(double slip) const { return law_->has_slip_state() && slip != 0.0; }
@@ -312,7 +316,6 @@ class ContactArc {
   const rotor::BladeSet* blades_;
   Law* law_;
   double tolerance_;  ///< [m]
-  double max_shortening_;
   MachineInTime machine_;
   std::vector<Blade> numbers_;  ///< of the blades
   IntervalSolver solver_;
@@ -338,7 +341,6 @@ class ContactArc {
   std::size_t number_ = 0;        ///< of the next interval in the contact
   double rounding_at_end_ = 0.0;  ///< |v| or other where an ending is
   Bounds bounds_{};               ///< of the interval that has been judged last
-  double gap_bound_of_others_ = 0.0;
   std::uint64_t interval_count_ = 0;
   std::uint64_t rejected_ = 0;
   std::uint64_t sweeps_ = 0;

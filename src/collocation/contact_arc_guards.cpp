@@ -66,7 +66,7 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
     if (tip.straight || tip.skims)
       look(Guard::pressed_in, tip.number, tip.start_cone_left, tip.cone_left, 1.0);
     if (tip.slip == 0.0) look(Guard::loosening, tip.number, tip.start_cone_left, tip.cone_left, 1.0);
-    if (!(bounds.shortening < valid_shortening(tip.number)))
+    if (!(bounds.shortening < tip.blade->valid_shortening))
       look_at_validity(Guard::shortening_limit, tip.number);
     if (!reverses(tip.slip) || bounds.slip_velocity > 0.0) continue;
     AtNodes velocity = tip.slip_velocity;
@@ -104,17 +104,16 @@ ContactArc::Quantity ContactArc::validity_left(const Interval& interval, Guard g
     return result;
   }
   const TipInTime& tip = tip_of(interval, blade);
-  const double limit = valid_shortening(blade);
+  const double limit = tip.blade->valid_shortening;
   Quantity result{limit - tip.start_shortening, {}};
   for (std::size_t i = 0; i < kNodes; ++i) result.nodes[i] = limit - tip.shortening[i];
   return result;
 }
 
 /// The first touch-down of another blade, if it comes before this ending. None where it cannot be told.
-std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interval, Ending before) {
-  gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
+std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interval, Ending before) const {
   for (const int blade : others_) {
-    if (stays_off(blade, interval, 0.0)) continue;
+    if (stays_far_off(blade, interval) || stays_off(blade, interval, 0.0)) continue;
     const bool inside = starts_inside(blade);
     const TipCourse tip = course_of_tip(interval, blade);
     AtPlaces values = inside ? tip.rate : tip.gap;

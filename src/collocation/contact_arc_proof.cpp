@@ -27,18 +27,33 @@ bool ContactArc::stays_valid(const Ending& ending) const {
   for (std::size_t k = 0; k < tips_.size(); ++k) {
     const int blade = tips_[k].number;
     const bool limit_ends_it = ending.guard == Guard::shortening_limit && ending.blade == blade;
-    const bool stays_short = limit_ends_it || bounds_.tips[k].shortening < valid_shortening(blade);
+    const bool stays_short = limit_ends_it || bounds_.tips[k].shortening < tips_[k].blade->valid_shortening;
     if (!stays_short || !keeps_slip(tips_[k], bounds_.tips[k].slip_velocity)) return false;
   }
   if (!(bounds_.cone_left > 0.0)) return false;
   return !law_->leans() || (bounds_.time_slope > 0.0 && bounds_.chart_left > 0.0);
 }
 
+/// Whether another tip cannot touch within the interval that is judged, by its gap at the start alone and how
+/// far the shaft and the blade come: mostly.
+bool ContactArc::stays_far_off(int blade, const Interval& interval) const {
+  const double x = interval.shaft.start[0] - interval.ring.start[0];
+  const double y = interval.shaft.start[1] - interval.ring.start[1] + machine().misalignment;
+  const std::array<double, 2> offset = offset_of(blade);
+  const double er_x = interval.blade[0] * offset[0] - interval.blade[1] * offset[1];
+  const double er_y = interval.blade[1] * offset[0] + interval.blade[0] * offset[1];
+  const double distance = std::sqrt(x * x + y * y);
+  const double turned = blades_->speed_bound() * bounds_.latest;
+  // g = |c|² + 2 (rh + L) c·er + a constant.
+  const double farthest = distance + bounds_.moved;
+  const double outwards = x * er_x + y * er_y + bounds_.moved + distance * turned;
+  return farthest * farthest + 2.0 * numbers(blade).reach * outwards + numbers(blade).closing < 0.0;
+}
+
 /// Whether another tip does not touch within an interval: its gap [m²] stays below what is allowed, or, where
 /// it starts inside the ring, half of the rate of that.
-bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) {
-  const double bound = solver_.largest_gap(machine(), interval, numbers(blade), offset_of(blade));
-  gap_bound_of_others_ = std::max(gap_bound_of_others_, bound);
+bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) const {
+  const double bound = gap_bound(blade, interval);
   if (starts_inside(blade)) return solver_.upper_bound(course_of_tip(interval, blade).rate) < allowed;
   // A tip that has just lifted off may stand at the ring for a while.
   return bound < allowed || bound < rotor_->gap_rounding(law_->geometry(blade));
@@ -86,7 +101,6 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
     if (!lifts || tips_.size() > 1 || !stays_valid(ending)) solver_.bounds(machine(), part, bounds_);
     // The tip that touches is at the ring at the end.
     const double at_ring = 2.0 * machine().ring_radius * tolerance_;
-    gap_bound_of_others_ = -std::numeric_limits<double>::infinity();
     for (const int blade : others_) {
       if (!stays_off(blade, part, blade == ending.blade ? at_ring : 0.0)) return Verdict::too_long;
     }

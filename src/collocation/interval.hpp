@@ -75,6 +75,7 @@ struct Blade {
   double axial_unit = 0.0;
   double buckling_load = 0.0;
   bool held_beyond_ring = false;  ///< its contact goes on there while it has a force
+  double valid_shortening = 0.0;  ///< δ/L up to which its contact is valid
   // Of a rigid blade, and of one on a ring with dampers.
   double ring_stiffness = 0.0;  ///< kr [N/m]
   double ring_damping = 0.0;    ///< cr ωn [N per (m per unit τ)]
@@ -211,11 +212,13 @@ struct BranchPoints {
 };
 
 /// Bounds of what changes within an interval that is solved, as the polynomials through the start and the
-/// nodes have it: none of them leaves the range of its Bernstein coefficients.
+/// nodes have it. None of them goes farther from its start than `kFarther` times the farthest node; where
+/// that does not exclude a guard, its Bernstein coefficients tell, whose range it does not leave.
 struct Bounds {
-  double gap_measure;   ///< least g/Δ of the leading blade; the start is left out, where it may be 0 [m]
-  double displacement;  ///< largest |z| [m]
-  double distance;      ///< largest |c|, of the shaft from the ring's centre [m]
+  double gap_measure;  ///< least g/Δ of the leading blade; the start is left out, where it may be 0 [m]
+  double moved;        ///< how far the shaft comes from where it starts, seen from the ring [m]
+  double latest;       ///< τ since the start at the latest node
+  double distance;     ///< largest |c|, of the shaft from the ring's centre [m]
   struct OfTip {
     double slip_velocity;  ///< least |v|: its slip does not reverse where it is positive [m per unit τ]
     double shortening;     ///< largest δ/L [-]
@@ -251,6 +254,8 @@ struct IntervalSolver {
   bool (*inclined_branch)(const TipStart& tip, double ring_radius, const contact::Pose& pose,
                           double angular_speed, BranchPoints& points);
   void (*bounds)(const Machine& machine, const Interval& interval, Bounds& bounds);
+  /// Bound of |z| [m].
+  double (*largest_displacement)(const Interval& interval);
   /// Bound of the polynomial through values at the start and the nodes.
   double (*upper_bound)(const AtPlaces& values);
   /// Bound of the gap [m²] of another blade, straight, whose direction is that of the leading blade turned

@@ -21,13 +21,18 @@ class IntervalBounds {
   void bounds(Bounds& result) const {
     const Interval& in = interval_;
     const TipInTime& leader = in.leader();
-    result.gap_measure = later(leader.start_gap_measure, Number(leader.gap_measure)).least();
-    const double across = largest_magnitude(in.shaft.start[0], Number(in.shaft.x));
-    result.displacement = root_of_squares(across, largest_magnitude(in.shaft.start[1], Number(in.shaft.y)));
+    const Number gap_measure(leader.gap_measure);
+    result.gap_measure = leader.start_gap_measure - change(leader.start_gap_measure, gap_measure);
+    if (!(result.gap_measure > 0.0))
+      result.gap_measure = later(leader.start_gap_measure, gap_measure).least();
     const Place<double> start = start_from_ring();
     const Place<Number> nodes = from_ring();
-    const double from_ring = machine_.ring.moves ? largest_magnitude(start.x, nodes.x) : across;
-    result.distance = root_of_squares(from_ring, largest_magnitude(start.y, nodes.y));
+    result.moved = root_of_squares(change(start.x, nodes.x), change(start.y, nodes.y));
+    result.latest = Number(in.elapsed).largest();
+    result.distance = root_of_squares(start.x, start.y) + result.moved;
+    if (!(result.distance < machine_.ring_radius))
+      result.distance =
+          root_of_squares(largest_magnitude(start.x, nodes.x), largest_magnitude(start.y, nodes.y));
     result.cone_left = std::numeric_limits<double>::infinity();
     result.tips.resize(in.tips.size());
     for (std::size_t k = 0; k < in.tips.size(); ++k) {
@@ -35,8 +40,15 @@ class IntervalBounds {
       if (tip.slip == 0.0 || tip.straight || tip.skims)
         result.cone_left = std::min(result.cone_left, least_left(tip.start_cone_left, tip.cone_left));
       Bounds::OfTip& of_tip = result.tips[k];
-      of_tip.slip_velocity = least_magnitude(tip.start_slip_velocity, Number(tip.slip_velocity));
-      of_tip.shortening = largest(tip.start_shortening, Number(tip.shortening));
+      const Number slip_velocity(tip.slip_velocity);
+      of_tip.slip_velocity =
+          std::abs(tip.start_slip_velocity) - change(tip.start_slip_velocity, slip_velocity);
+      if (!(of_tip.slip_velocity > 0.0))
+        of_tip.slip_velocity = least_magnitude(tip.start_slip_velocity, slip_velocity);
+      const Number shortening(tip.shortening);
+      of_tip.shortening = tip.start_shortening + change(tip.start_shortening, shortening);
+      if (!(of_tip.shortening < tip.blade->valid_shortening))
+        of_tip.shortening = largest(tip.start_shortening, shortening);
       of_tip.stays = k == 0 || stays(tip);
     }
     if (in.leans()) inclined_bounds(result);
@@ -72,6 +84,11 @@ class IntervalBounds {
     return later(start, gap_of(from_ring(), Number(in.blade_x), Number(in.blade_y))).largest();
   }
 
+  [[nodiscard]] static double largest_displacement(const Interval& in) {
+    return root_of_squares(largest_magnitude(in.shaft.start[0], Number(in.shaft.x)),
+                           largest_magnitude(in.shaft.start[1], Number(in.shaft.y)));
+  }
+
   static double largest(const AtPlaces& values) {
     AtNodes nodes;
     std::copy(values.begin() + 1, values.end(), nodes.value.begin());
@@ -104,6 +121,10 @@ class IntervalBounds {
   static Number later(double start, const Number& at_nodes) {
     return Number::combined(kNodeTables.bernstein, at_nodes) + Number(kNodeTables.bernstein_of_start) * start;
   }
+  /// How far it goes from the start.
+  static double change(double start, const Number& at_nodes) {
+    return kFarther * magnitude(at_nodes - start).largest();
+  }
   /// Of coefficients 1 to 7.
   static double least_before_end(const Number& coefficients) {
     AtNodes each;
@@ -134,7 +155,7 @@ class IntervalBounds {
   static double largest(double start, const Number& at_nodes) {
     return std::max(start, later(start, at_nodes).largest());
   }
-  double largest_magnitude(double start, const Number& at_nodes) const {
+  static double largest_magnitude(double start, const Number& at_nodes) {
     return std::max(std::abs(start), magnitude(later(start, at_nodes)).largest());
   }
 
@@ -145,6 +166,10 @@ class IntervalBounds {
 template <std::size_t kWidth>
 void bounds_of(const Machine& machine, const Interval& interval, Bounds& bounds) {
   IntervalBounds<kWidth>(machine, interval).bounds(bounds);
+}
+template <std::size_t kWidth>
+double largest_displacement_of(const Interval& interval) {
+  return IntervalBounds<kWidth>::largest_displacement(interval);
 }
 template <std::size_t kWidth>
 double upper_bound_of(const AtPlaces& values) {

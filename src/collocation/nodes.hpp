@@ -13,6 +13,9 @@ namespace rubatlas::collocation {
 
 inline constexpr std::size_t kNodes = 8;
 inline constexpr std::size_t kPlaces = kNodes + 1;  ///< the start of the interval and the nodes
+/// How much farther from its value at the start than at any node the polynomial through both may go: the
+/// largest sum of magnitudes of Lagrange's polynomials of the nodes, 2.4275, which is at θ = 0.55.
+inline constexpr double kFarther = 2.43;
 
 /// A number at each node.
 struct alignas(64) AtNodes {

@@ -10,8 +10,9 @@
 namespace rubatlas::collocation {
 
 IntervalSolver solver_avx2() {
-  return {solved<4>,    inclined_solved<4>, rigid_solved<4>,   inclined_branch<4>,
-          bounds_of<4>, upper_bound_of<4>,  largest_gap_of<4>, read_stretch<4>};
+  return {solved<4>,          inclined_solved<4>, rigid_solved<4>,
+          inclined_branch<4>, bounds_of<4>,       largest_displacement_of<4>,
+          upper_bound_of<4>,  largest_gap_of<4>,  read_stretch<4>};
 }
 
 }  // namespace rubatlas::collocation

@@ -10,8 +10,9 @@
 namespace rubatlas::collocation {
 
 IntervalSolver solver_avx512() {
-  return {solved<8, 4>, inclined_solved<8>, rigid_solved<8>,   inclined_branch<8>,
-          bounds_of<8>, upper_bound_of<8>,  largest_gap_of<8>, read_stretch<8>};
+  return {solved<8, 4>,       inclined_solved<8>, rigid_solved<8>,
+          inclined_branch<8>, bounds_of<8>,       largest_displacement_of<8>,
+          upper_bound_of<8>,  largest_gap_of<8>,  read_stretch<8>};
 }
 
 }  // namespace rubatlas::collocation

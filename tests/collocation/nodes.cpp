@@ -65,13 +65,29 @@ TEST(RadauNodes, BasesReproduceThePolynomialsOfTheirDegree) {
   }
 }
 
+TEST(RadauNodes, NoPolynomialGoesMuchFartherFromItsStartThanItsNodes) {
+  double farthest = 0.0;
+  for (double at = 0.0; at <= 1.0; at += 1e-4) {
+    const AtPlaces basis = basis_at(at);
+    double sum = 0.0;
+    for (std::size_t i = 1; i < kPlaces; ++i) sum += std::abs(basis[i]);
+    farthest = std::max(farthest, sum);
+  }
+  EXPECT_LT(farthest, kFarther);
+  EXPECT_GT(farthest, 0.99 * kFarther);
+}
+
 AtPlaces values_of(double (*function)(double)) {
   AtPlaces values{};
   for (std::size_t i = 0; i < kPlaces; ++i) values[i] = function(kNodeTables.place[i]);
   return values;
 }
 
-Bounds bounds_of(const Interval& interval, double misalignment) {
+/// `valid_shortening`: up to which nothing else than a bound of the shortening is asked for.
+Bounds bounds_of(Interval& interval, double misalignment, double valid_shortening = 0.0) {
+  Blade blade;
+  blade.valid_shortening = valid_shortening;
+  interval.leader().blade = &blade;
   const collocation::Machine machine{.speed_ratio = 0.0,
                                      .damping_ratio = 0.0,
                                      .misalignment = misalignment,
@@ -79,6 +95,7 @@ Bounds bounds_of(const Interval& interval, double misalignment) {
                                      .force_unit = 1.0};
   Bounds bounds{};
   interval_solver().bounds(machine, interval, bounds);
+  interval.leader().blade = nullptr;
   return bounds;
 }
 
@@ -117,15 +134,20 @@ TEST(BoundsOfAnInterval, HoldEveryQuantityBetweenTheNodes) {
   fill(tip.start_slip_velocity, tip.slip_velocity, slip_velocity);
   fill(tip.start_shortening, tip.shortening, shortening);
   const Bounds bounds = bounds_of(interval, kMisalignment);
+  const Bounds loose = bounds_of(interval, kMisalignment, 10.0);
+  const double displacement = interval_solver().largest_displacement(interval);
   constexpr double kRounding = 1e-5;  // of the polynomials through the values of these functions
   for (double t = 0.0; t <= 1.0; t += 0.001) {
-    EXPECT_LE(std::hypot(x(t), y(t)), bounds.displacement + kRounding);
+    EXPECT_LE(std::hypot(x(t), y(t)), displacement + kRounding);
+    EXPECT_LE(std::hypot(x(t) - x(0.0), y(t) - y(0.0)), bounds.moved + kRounding);
     EXPECT_LE(std::hypot(x(t), y(t) + kMisalignment), bounds.distance + kRounding);
     EXPECT_GE(-slip_velocity(t), bounds.tips[0].slip_velocity - kRounding);
     EXPECT_LE(shortening(t), bounds.tips[0].shortening + kRounding);
+    EXPECT_LE(shortening(t), loose.tips[0].shortening + kRounding);
   }
   // No looser than by a third.
   EXPECT_LT(bounds.tips[0].shortening, 1.21 * 1.33);
+  EXPECT_LT(bounds.tips[0].shortening, loose.tips[0].shortening);
   EXPECT_GT(bounds.tips[0].slip_velocity, 0.0);
 }
 

@@ -57,6 +57,7 @@ void expect_same_bits_of_interval(const collocation::Machine& machine, const col
   solver_in_pairs().bounds(machine, in_pairs, of_pairs);
   interval_solver().bounds(machine, here, of_here);
   EXPECT_EQ(of_pairs, of_here);
+  EXPECT_EQ(solver_in_pairs().largest_displacement(in_pairs), interval_solver().largest_displacement(here));
   const AtPlaces arguments = at_places(here.start_argument, here.argument);
   EXPECT_EQ(solver_in_pairs().upper_bound(arguments), interval_solver().upper_bound(arguments));
   const collocation::Blade& blade = *first.leader().blade;
