@@ -21,8 +21,9 @@ class BendingInLanes {
     Number load, shortening, deflection;
   };
 
-  /// At p. With `kSlopes` the slopes by p, too, of the powers up to `kSlopeDegree`: they are for Newton's
-  /// steps only, and four nodes are as many as registers hold at a time.
+  /// At p. With `kSlopes` the slopes by p, too, in units of a piece of the table, of the powers up to
+  /// `kSlopeDegree`: they are for Newton's steps only, and four nodes are as many as registers hold at a
+  /// time.
   template <bool kSlopes>
   static Bend curve(const blade::BendingTable& table, const Number& argument, Bend& slope) {
     const double per_argument = 1.0 / table.width();
@@ -57,10 +58,7 @@ class BendingInLanes {
         }
       }
     }
-    if (kSlopes) {
-      slope = across(rate);
-      slope = {slope.load * per_argument, slope.shortening * per_argument, slope.deflection * per_argument};
-    }
+    if (kSlopes) slope = across(rate);
     return across(sum);
   }
 

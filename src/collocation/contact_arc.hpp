@@ -250,7 +250,6 @@ class ContactArc {
   [[nodiscard]] double gap_bound(int blade, const Interval& interval) const {
     return solver_.largest_gap(machine(), interval, numbers(blade), offset_of(blade));
   }
-  [[nodiscard]] bool stays_far_off(int blade, const Interval& interval) const;
   [[nodiscard]] bool stays_off(int blade, const Interval& interval, double allowed) const;
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it. Or
   /// its ending is met at once, where it starts.

@@ -112,8 +112,23 @@ ContactArc::Quantity ContactArc::validity_left(const Interval& interval, Guard g
 
 /// The first touch-down of another blade, if it comes before this ending. None where it cannot be told.
 std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interval, Ending before) const {
+  // From the gap at the start alone and how far the shaft and the blades come it is mostly seen that a tip
+  // stays off: g = |c|² + 2 (rh + L) c·er + a constant.
+  const double x = interval.shaft.start[0] - interval.ring.start[0];
+  const double y = interval.shaft.start[1] - interval.ring.start[1] + machine().misalignment;
+  const double radial = x * interval.blade[0] + y * interval.blade[1];
+  const double tangential = y * interval.blade[0] - x * interval.blade[1];
+  const double distance = std::sqrt(x * x + y * y);
+  const double farthest = distance + bounds_.moved;
+  const double outwards = bounds_.moved + distance * (blades_->speed_bound() * bounds_.latest);
+  const auto stays_far_off = [&](int blade) {
+    const auto [cosine, sine] = offset_of(blade);
+    const Blade& tip = numbers(blade);
+    const double radial_there = radial * cosine + tangential * sine + outwards;
+    return farthest * farthest + 2.0 * tip.reach * radial_there + tip.closing < 0.0;
+  };
   for (const int blade : others_) {
-    if (stays_far_off(blade, interval) || stays_off(blade, interval, 0.0)) continue;
+    if (stays_far_off(blade) || stays_off(blade, interval, 0.0)) continue;
     const bool inside = starts_inside(blade);
     const TipCourse tip = course_of_tip(interval, blade);
     AtPlaces values = inside ? tip.rate : tip.gap;

@@ -34,22 +34,6 @@ bool ContactArc::stays_valid(const Ending& ending) const {
   return !law_->leans() || (bounds_.time_slope > 0.0 && bounds_.chart_left > 0.0);
 }
 
-/// Whether another tip cannot touch within the interval that is judged, by its gap at the start alone and how
-/// far the shaft and the blade come: mostly.
-bool ContactArc::stays_far_off(int blade, const Interval& interval) const {
-  const double x = interval.shaft.start[0] - interval.ring.start[0];
-  const double y = interval.shaft.start[1] - interval.ring.start[1] + machine().misalignment;
-  const std::array<double, 2> offset = offset_of(blade);
-  const double er_x = interval.blade[0] * offset[0] - interval.blade[1] * offset[1];
-  const double er_y = interval.blade[1] * offset[0] + interval.blade[0] * offset[1];
-  const double distance = std::sqrt(x * x + y * y);
-  const double turned = blades_->speed_bound() * bounds_.latest;
-  // g = |c|² + 2 (rh + L) c·er + a constant.
-  const double farthest = distance + bounds_.moved;
-  const double outwards = x * er_x + y * er_y + bounds_.moved + distance * turned;
-  return farthest * farthest + 2.0 * numbers(blade).reach * outwards + numbers(blade).closing < 0.0;
-}
-
 /// Whether another tip does not touch within an interval: its gap [m²] stays below what is allowed, or, where
 /// it starts inside the ring, half of the rate of that.
 bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) const {

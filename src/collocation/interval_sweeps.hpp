@@ -95,8 +95,10 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
   static Bend bend_of(Tip& tip, const Number& argument) {
     const Bend bend = Table::template curve<!kLight>(*tip.blade->table, argument, tip.slope);
     if (kLight) return bend;
-    tip.slope.shortening = tip.slope.shortening * tip.blade->length;
-    tip.slope.deflection = tip.slope.deflection * (tip.slip * tip.blade->length);
+    const double per_argument = 1.0 / tip.blade->table->width();
+    const double length = per_argument * tip.blade->length;
+    tip.slope = {tip.slope.load * per_argument, tip.slope.shortening * length,
+                 tip.slope.deflection * (tip.slip * length)};
     return bend;
   }
 
@@ -109,8 +111,7 @@ class Sweeps : public ArcSweeps<kWidth, kPlain> {
     Number residual = contact::contact_equation(straight.gap, straight.place, tip.bent);
     tip.place = straight.place - tip.bent;
     if (!kLight) {
-      tip.argument_slope =
-          contact::square_change(tip.place, InBlade{tip.slope.shortening, tip.slope.deflection}) * -1.0;
+      tip.argument_slope = dot(tip.place, InBlade{tip.slope.shortening, tip.slope.deflection}) * -2.0;
       tip.rate = contact::tip_rate(this->pose_of(straight, blade.reach, er), this->angular_speed());
       tip.time_slope = contact::square_change(tip.place, tip.rate);
     }

@@ -100,19 +100,11 @@ class Lanes {
   }
   /// The least of the eight.
   [[nodiscard]] double least() const {
-    Part part = part_[0];
-    for (std::size_t i = 1; i < kParts; ++i) part = smaller_of(part, part_[i]);
-    double result = part[0];
-    for (std::size_t k = 1; k < kWidth; ++k) result = result < part[k] ? result : part[k];
-    return result;
+    return of_all([](const auto& a, const auto& b) { return a < b ? a : b; });
   }
   /// The largest of the eight.
   [[nodiscard]] double largest() const {
-    Part part = part_[0];
-    for (std::size_t i = 1; i < kParts; ++i) part = larger_of(part, part_[i]);
-    double result = part[0];
-    for (std::size_t k = 1; k < kWidth; ++k) result = result > part[k] ? result : part[k];
-    return result;
+    return of_all([](const auto& a, const auto& b) { return a > b ? a : b; });
   }
 
   /// The numbers of a register.
@@ -151,6 +143,25 @@ class Lanes {
   static Bits sign_bits() { return std::numeric_limits<std::int64_t>::min() - Bits{}; }
   static Part larger_of(const Part& a, const Part& b) { return a > b ? a : b; }
   static Part smaller_of(const Part& a, const Part& b) { return a < b ? a : b; }
+  template <class OfTwo>
+  double of_all(OfTwo of_two) const {
+    Part part = part_[0];
+    for (std::size_t i = 1; i < kParts; ++i) part = of_two(part, part_[i]);
+    return of_halves(part, of_two);
+  }
+  template <class Register, class OfTwo>
+  static double of_halves(const Register& all, OfTwo of_two) {
+    if constexpr (sizeof all == 8 * sizeof(double)) {
+      return of_halves(of_two(__builtin_shufflevector(all, all, 0, 1, 2, 3),
+                              __builtin_shufflevector(all, all, 4, 5, 6, 7)),
+                       of_two);
+    } else if constexpr (sizeof all == 4 * sizeof(double)) {
+      return of_halves(
+          of_two(__builtin_shufflevector(all, all, 0, 1), __builtin_shufflevector(all, all, 2, 3)), of_two);
+    } else {
+      return of_two(all[0], all[1]);
+    }
+  }
   template <class Function>
   static Lanes of(Function function) {
     Lanes result;
