@@ -42,7 +42,7 @@ def thinned(scene, every):
 
 def speeds(scene):
     axis = scene["grid"]["speed_ratio"]
-    return axis["count"] if isinstance(axis, dict) else len(axis)
+    return axis["count"] if isinstance(axis, dict) else np.size(axis)
 
 
 def random_scene(number):
@@ -67,7 +67,9 @@ class Sweep:
         path.write_text(json.dumps(scene))
         ranks = options.ranks
         launcher = ["mpirun", "-n", str(ranks), "--oversubscribe", "--bind-to", "none"] if ranks > 1 else []
-        subprocess.run([*launcher, PROGRAM, "run", path, "-o", atlas, "--resume", "--progress", "off"], check=False)
+        run = [*launcher, PROGRAM, "run", path, "-o", atlas, "--resume", "--progress", "off"]
+        if (code := subprocess.run(run, check=False).returncode) not in (0, 10):
+            raise SystemExit(code)
         subprocess.run([PROGRAM, "analyse", atlas, "-o", maps, "--overwrite"], check=True, stdout=subprocess.DEVNULL)
         runs = json.loads(pathlib.Path(f"{atlas}.run.json").read_text())["runs"]
         self.work = sum(run["right_hand_sides"] + run["gap_evaluations"] for run in runs)
@@ -160,7 +162,8 @@ def main():
             if (numbers := row(name, scene, options, directory)) is not None:
                 rows.append(numbers)
                 print(shown(f"`{name}`", numbers), flush=True)
-        print(shown("together", sum(rows)))
+        if rows:
+            print(shown("together", sum(rows)))
 
 
 if __name__ == "__main__":

@@ -46,9 +46,9 @@ complete_atlas "$scene" "$atlas" "$progress" mpirun -n "$(nproc)" --oversubscrib
 case $run_code in
   0) ;;
   10) echo "Some points could not be integrated; the atlas says which, in /status." ;;
-  75 | 129 | 130 | 143) echo "Stopped; to go on from here: ./jobs/quickstart.sh $scene" && exit "$run_code" ;;
+  75 | 129 | 130 | 143) echo "Stopped; to go on from here: ./jobs/quickstart.sh $(printf %q "$scene")" && exit "$run_code" ;;
   *)
-    echo "quickstart.sh: the run ended with exit code $run_code; to go on: ./jobs/quickstart.sh $scene" >&2
+    echo "quickstart.sh: the run ended with exit code $run_code; to go on: ./jobs/quickstart.sh $(printf %q "$scene")" >&2
     exit "$run_code"
     ;;
 esac

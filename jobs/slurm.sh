@@ -29,7 +29,7 @@ scene=$1
 atlas=${2:-atlases/$(basename "$scene" .json).h5}
 program=${RUBATLAS:-build/rubatlas}
 ranks=${SLURM_NTASKS:-1}
-again="sbatch -n $ranks jobs/slurm.sh $*"
+again="sbatch -n $ranks jobs/slurm.sh $(printf '%q ' "$@")"
 part=""
 if [ $# -eq 3 ]; then
   if [ -z "${SLURM_ARRAY_TASK_ID-}" ]; then
@@ -38,7 +38,7 @@ if [ $# -eq 3 ]; then
   fi
   part=$SLURM_ARRAY_TASK_ID/$3
   atlas=${atlas%.h5}.part${part/\//of}.h5
-  again="sbatch --array=$SLURM_ARRAY_TASK_ID -n $ranks jobs/slurm.sh $*"
+  again="sbatch --array=$SLURM_ARRAY_TASK_ID -n $ranks jobs/slurm.sh $(printf '%q ' "$@")"
 fi
 mkdir -p "$(dirname "$atlas")"
 

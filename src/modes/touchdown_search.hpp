@@ -122,6 +122,9 @@ class TouchdownSearch final : public trajectory::PieceWithoutContact {
     return flight_->price_of_state() + static_cast<std::int64_t>(blades_.size()) * WorkPrice::kGap;
   }
   [[nodiscard]] static bool may_have_top(const FlightRow::Gaps& gaps, double spacing);
+  [[nodiscard]] double gap_rate(int blade, double time) const;
+  void take_start(int blade, double rate, trajectory::Pass& nearest);
+  void take_top(int blade, double time, trajectory::Pass& nearest);
   void take_tops(const KeptRow& row, int blade, const FlightRow::Gaps& gaps, trajectory::Pass& nearest);
 
   [[nodiscard]] double clear_step(const contact::Geometry& geometry, int blade, double time,

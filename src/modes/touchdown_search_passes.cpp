@@ -21,6 +21,7 @@ std::optional<trajectory::Pass> TouchdownSearch::nearest_pass(double known,
       if (!(row.begin < end_)) break;
       for (int k = 0; k < static_cast<int>(blades_.size()); ++k) {
         const FlightRow::Gaps& gaps = *next++;
+        if (row.begin == begin()) take_start(k, gaps.rate_before, nearest);
         if (may_have_top(gaps, row.spacing)) take_tops(row, k, gaps, nearest);  // seldom
       }
     }
@@ -34,6 +35,24 @@ std::optional<trajectory::Pass> TouchdownSearch::nearest_pass(double known,
     look_at_rows();
   }
   return nearest.blade != kNone ? std::optional(nearest) : std::nullopt;
+}
+
+double TouchdownSearch::gap_rate(int blade, double time) const {
+  return contact::gap_rate(geometry(blade), pose(blade, time, flight_->state(time)),
+                           machine_->blades.angular_speed(time));
+}
+
+void TouchdownSearch::take_top(int blade, double time, trajectory::Pass& nearest) {
+  const trajectory::Tip there = tip(blade, time);
+  if (there.overlap < 0.0 && -there.overlap < nearest.miss)
+    nearest = {-there.overlap, there.side, blade, time};
+}
+
+/// Symmetry may put a top on the section, where the flight before has not seen its rise end, to rounding.
+void TouchdownSearch::take_start(int blade, double rate, trajectory::Pass& nearest) {
+  constexpr double kJustAfter = 1e-6;  // [τ]
+  if (std::abs(rate) <= rounding_ && gap_rate(blade, begin() + kJustAfter) < 0.0)
+    take_top(blade, begin(), nearest);
 }
 
 /// Rows of no larger spacing are kept from the start of the flight as far as the end of the piece.
@@ -80,10 +99,7 @@ void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::
     const double from = row.begin + i * h;
     const double miss = std::min(nearest.miss, ring_radius_);
     const double nearer = miss * (miss - 2.0 * ring_radius_);  // g of a tip that passes nearer than that
-    const auto rate_at = [&](double time) {
-      return contact::gap_rate(geometry(blade), pose(blade, time, flight_->state(time)),
-                               machine_->blades.angular_speed(time));
-    };
+    const auto rate_at = [&](double time) { return gap_rate(blade, time); };
     std::optional<double> top;
     if (rate_before > 0.0 && rate <= 0.0) {
       // Tangents bound a maximum that lies between two times.
@@ -94,11 +110,7 @@ void TouchdownSearch::take_tops(const KeptRow& row, int blade, const FlightRow::
       // Fast decay after a contact may turn a tip round twice between two times.
       top = integrate::first_top(rate_at, from, from + h, rate_before, rate);
     }
-    if (top && *top < end_) {
-      const trajectory::Tip there = tip(blade, *top);
-      if (there.overlap < 0.0 && -there.overlap < nearest.miss)
-        nearest = {-there.overlap, there.side, blade, *top};
-    }
+    if (top && *top < end_) take_top(blade, *top, nearest);
   }
 }
 

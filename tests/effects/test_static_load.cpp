@@ -54,6 +54,21 @@ TEST_P(StaticLoad, AlongTheMisalignmentIsAMisalignmentWithTheOriginMoved) {
   }
 }
 
+TEST_P(StaticLoad, LetsABladePassNearestOnTheSectionAtItsDistanceThere) {
+  // Along x, where the only blade is at the section: it passes at the clearance less the deflection.
+  for (int i = 10; i <= 50; ++i) {
+    settings::Scene scene = default_rotor(GetParam(), 0.02 * i);
+    scene.blades.count = 1;
+    scene.rotor.misalignment = 0.0;
+    scene.rotor.damping_ratio = 0.5;
+    scene.protocol.transient_revolutions = 200;
+    scene.side_load = effects::SideLoad{0.9};
+    scene.observables = {"nearest_miss"};
+    const double deflection = 0.9 / shaft_stiffness(scene);
+    EXPECT_NEAR(run(scene).rows[0][0], scene.clearance() - deflection, 1e-12) << 0.02 * i;
+  }
+}
+
 TEST_P(StaticLoad, OfTheRotorsWeightIsGravity) {
   // Powers of two: mass and stiffness scale without rounding.
   settings::Scene heavy = default_rotor(GetParam(), 0.45);

@@ -134,6 +134,16 @@ class PageComputes(ExplorerTest):
         self.assertEqual(len(second), 2 * len(first))
         np.testing.assert_array_equal(second[:len(first)], first)
 
+    def test_more_revolutions_of_a_run_up_go_on_at_the_speed_it_has_reached(self):
+        scene = self.of_effects("speed_ramp")
+        self.open("#from=initial", made(self.folder / "run_up.html", self.of_one_point("run_up", scene)))
+        self.browser.computes(lambda: self.browser.find("#more").click())
+        whole = run(self.folder, "run_up_on", {**scene, "observables": ["poincare"], "protocol": {
+            "transient_revolutions": 30, "sampled_revolutions": 128}})
+        with h5py.File(whole) as file:
+            expected = file["poincare"][...].reshape(128, 4)[:, :2]
+        np.testing.assert_allclose(self.computed_sections() / CLEARANCE, expected / CLEARANCE, rtol=0, atol=1e-8)
+
     def test_a_motion_that_leaves_the_model_says_what_ended_it(self):
         self.show(self.own(speed_ratio=1.5))
         self.assertRegex(self.browser.facts()["Status"],

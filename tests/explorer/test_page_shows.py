@@ -148,6 +148,29 @@ class PageShows(ExplorerTest):
                 self.assertNotEqual(self.browser.pixels(panel), picture)
         self.assertEqual(self.browser.log(), [])
 
+    def test_the_waterfall_has_each_line_at_its_frequency(self):
+        with h5py.File(TINY / "atlas.h5") as file:
+            amplitudes, orders = file["spectrum"][0, 0, 0, 1, 20], file["order"][...]
+            speeds = file["speed_ratio"][...]
+        self.show(cell(1, 4))
+        half = 0.5 * (speeds[1] - speeds[0])
+        share = (speeds[20] - speeds[0] + half) / (speeds[-1] - speeds[0] + 2.0 * half)
+        pixels = self.browser.run("""
+            const [canvas, area] = ['canvas', '.u-over'].map((part) =>
+              document.querySelector(`#chart-waterfall ${part}`));
+            const [all, over] = [canvas, area].map((part) => part.getBoundingClientRect());
+            const scale = canvas.width / all.width;
+            const across = over.left - all.left + arguments[0] * over.width, down = over.top - all.top;
+            return Array.from(canvas.getContext('2d')
+              .getImageData(scale * across, scale * down, 1, scale * over.height).data)""", share)
+        red, green, blue = np.array(pixels).reshape(-1, 4)[::-1, :3].T
+        yellow = red + green - 2 * blue  # the largest amplitudes; the dashes of whole orders are white
+        top = min(orders[-1] * speeds[-1], 4.0)
+        frequency = top * (np.arange(yellow.size) + 0.5) / yellow.size
+        vibrates = frequency > 0.5 * speeds[20]
+        strongest = orders[1:][amplitudes[1:].argmax()] * speeds[20]
+        self.assertAlmostEqual(frequency[vibrates][yellow[vibrates].argmax()], strongest, delta=speeds[20] / 16)
+
     def test_the_facts_of_a_cell_are_those_of_the_atlas(self):
         self.show_maps(cell(1, 17))
         with h5py.File(TINY / "atlas.h5") as file:

@@ -53,8 +53,8 @@ def number_of(axis, wanted):
 
 def same_value(one, other):
     """Whether two numbers are one value of an axis, which holds decimals as binary64: nine digits distinguish
-    neighbours and allow for rounding. NaN is no value."""
-    return abs(one - other) <= 1e-9 * max(abs(one), abs(other))
+    neighbours and allow for rounding. NaN and infinity are no values."""
+    return np.isfinite(other) and abs(one - other) <= 1e-9 * max(abs(one), abs(other))
 
 
 def values_of(attributes, further=()):

@@ -126,7 +126,7 @@ def _tokens(text: str, grammar: dict[str, Any]) -> list[tuple[str, str]]:
         if kind != "space" and result and result[-1][0] == "number" and (unit := _unit(text, at, grammar)):
             kind, found = "unit", unit
         if not found:
-            raise _refusal(grammar, "unknown_sign", rest=text[at:].split()[0])
+            raise _refusal(grammar, "unknown_sign", rest=(text[at:].split() or [text[at:]])[0])
         if kind != "space":
             result.append((kind, grammar["synonyms"].get(found, found) if kind == "sign" else found))
         at += len(found)

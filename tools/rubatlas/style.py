@@ -139,7 +139,7 @@ def rpm_axis(panel, sizes, upwards=False):
 
 def headline(made, words):
     """The picture's title."""
-    made.suptitle(words, x=0.01, ha="left")
+    made.suptitle(words, x=0.01, ha="left").set_parse_math(False)  # a dollar sign is one
 
 
 def title(made, atlas, what):
@@ -148,7 +148,7 @@ def title(made, atlas, what):
     made.axes[0].set_title(what)
     made_by = f"rubatlas {atlas.attribute('software_version')} ({atlas.attribute('git_commit')[:10]})"
     made.supxlabel(" · ".join(part for part in (atlas.scene.get("reference", ""), made_by) if part),
-                   fontsize=CREDIT, color=GREY, x=0.01, ha="left")
+                   fontsize=CREDIT, color=GREY, x=0.01, ha="left").set_parse_math(False)
 
 
 def _wrap(text, whole, excess):

@@ -34,6 +34,8 @@ def into(panel, atlas, along, wanted):
 
 def along_of(atlas, along, wanted):
     """The parameter to draw along: the one that is named, or the first that is swept."""
+    if along in wanted:
+        raise AtlasError(f"along {along}: all of its values are drawn, not one of them")
     swept = [axis for axis in atlas.swept_axes() if axis not in wanted]
     return along or (swept[0] if swept else None)
 

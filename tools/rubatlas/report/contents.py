@@ -165,7 +165,7 @@ def binned_spectra(atlas, blocks, done, width):
     for line in range(count):
         lines.append(blocks.add(f"spectrum/{line}", codes[line]))
     return {"orders": [float(order) for order in bins[starts] * width], "lines": lines, "largest": largest,
-            "decades": DECADES_OF_SPECTRUM, "units": atlas.units("spectrum"), "width": width}
+            "decades": DECADES_OF_SPECTRUM, "units": atlas.units("spectrum")}
 
 
 def shapes_of_blades():

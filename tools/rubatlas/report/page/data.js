@@ -37,6 +37,9 @@ const placeOf = (point) => {
   return place;
 };
 const pointAt = (place) => place.reduce((point, index, axis) => point * sizes[axis] + index, 0);
+/// The place of the value that is nearest to a number.
+const nearestTo = (all, wanted) =>
+  all.reduce((best, value, i) => (Math.abs(value - wanted) < Math.abs(all[best] - wanted) ? i : best), 0);
 const lineOf = (point) => Math.floor(point / sizes[SPEED]);
 const mapNamed = (name) => atlas.maps.find((map) => map.name === name);
 

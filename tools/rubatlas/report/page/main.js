@@ -12,9 +12,7 @@ function firstState() {
     if (i === SPEED) return 0;
     if (!axis.pointer) return 0;
     const [section, key] = axis.pointer;
-    const usual = atlas.scene[section]?.[key] ?? axis.values[0];
-    const off = axis.values.map((value) => Math.abs(value - usual));
-    return off.indexOf(Math.min(...off));
+    return nearestTo(axis.values, atlas.scene[section]?.[key] ?? axis.values[0]);
   });
   // The periodic motion of largest displacement on the scene's own line says more than the corner of the map.
   const size = (index) => {
@@ -47,14 +45,13 @@ function readPlace(text, refuse) {
   for (const [i, value] of pairsOf(text, axes, refuse)) {
     const axis = axes[i], all = axis.values;
     const wanted = axis.name === 'direction' ? DIRECTIONS.indexOf(value) : Number(value);
-    const off = all.map((one) => Math.abs(one - wanted));
-    const nearest = off.indexOf(Math.min(...off));
+    const nearest = nearestTo(all, wanted);
     const close = 1e-9 * Math.max(Math.abs(all[nearest]), Math.abs(wanted));  // as the program tells values apart
     if (axis.name === 'direction' && !all.includes(wanted)) refuse(`direction=${value} is neither up nor down here`);
-    else if (!(wanted >= all[0] - close && wanted <= all[all.length - 1] + close)) {
+    else if (!(Number.isFinite(wanted) && wanted >= all[0] - close && wanted <= all[all.length - 1] + close)) {
       refuse(`${axis.name}=${value} is outside ${all[0]} to ${all[all.length - 1]}`);
     } else {
-      if (off[nearest] > close) refuse(`${axis.name}=${value} is between points; the nearest is ${all[nearest]}`);
+      if (Math.abs(all[nearest] - wanted) > close) refuse(`${axis.name}=${value} is between points; the nearest is ${all[nearest]}`);
       state.place[i] = nearest;
     }
   }
@@ -215,8 +212,9 @@ async function more() {
   running = true;
   const last = before.sections.length - 4;
   const [x, y, vx, vy] = before.sections.subarray(last, last + 4);
+  const {scene, speed_ratio, sampled_revolutions} = before.wanted;
   const wanted = {...before.wanted, x, y, vx, vy, memory: before.orbit.memory, transient_revolutions: 0,
-    settle: 'never'};
+    settle: 'never', speed_ratio: speed_ratio + (scene.speed_ramp?.rate ?? 0) * sampled_revolutions};
   try {
     const answer = await computer.compute(wanted, atlas.scene.spectrum?.max_order ?? 12);
     const sections = new Float64Array(before.sections.length + answer.orbit.sections.length);
@@ -452,8 +450,7 @@ async function open() {
   lastAddress = addressOf();
   view = new PointView(state);
   view.walkTo = (speed) => {
-    const off = axes[SPEED].values.map((value) => Math.abs(value - speed));
-    state.place[SPEED] = off.indexOf(Math.min(...off));
+    state.place[SPEED] = nearestTo(axes[SPEED].values, speed);
     selected();
   };
   map = new AtlasMap(state, (place) => { state.place = place; selected(); byId('map').focus({preventScroll: true}); });

@@ -66,11 +66,9 @@ class AtlasMap {
     return pointAt(place);
   }
   placeAt(x, y) {
-    const near = (places, value) =>
-      places.reduce((best, at, i) => (Math.abs(at - value) < Math.abs(places[best] - value) ? i : best), 0);
     const place = [...this.state.place];
-    place[this.state.y] = near(spacing(this.axisY).places, y);
-    place[this.state.x] = near(spacing(this.axisX).places, x);
+    place[this.state.y] = nearestTo(spacing(this.axisY).places, y);
+    place[this.state.x] = nearestTo(spacing(this.axisX).places, x);
     return place;
   }
   /// How many cells share a pixel, along both axes.

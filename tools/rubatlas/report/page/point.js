@@ -285,39 +285,48 @@ class PointView {
     if (this.charts.waterfall && this.opened.spectrum) this.drawWaterfall(across, cursor, line, cursorEntry);
   }
   drawWaterfall(across, cursor, line, cursorEntry) {
-    const {orders, width} = atlas.lines.spectrum;
+    const {orders} = atlas.lines.spectrum;
     const speeds = axes[SPEED].values;
     const codes = this.opened.spectrum;
     const top = Math.min(orders[orders.length - 1] * speeds[speeds.length - 1], 4);
+    // Cells reach half way to the next speed.
+    const end = speeds.length - 1;
+    const from = speeds[0] - (end ? (speeds[1] - speeds[0]) / 2 : 0.01);
+    const to = speeds[end] + (end ? (speeds[end] - speeds[end - 1]) / 2 : 0.01);
     if (this.waterfallOf !== this.opened.number) {
       const rows = 260;
+      const MOST_COLUMNS = 4096;
+      const least = speeds.reduce((gap, speed, i) => (i ? Math.min(gap, speed - speeds[i - 1]) : gap), to - from);
+      const columns = Math.min(MOST_COLUMNS, Math.round((to - from) / least));
       const canvas = element('canvas');
-      canvas.width = speeds.length;
+      canvas.width = columns;
       canvas.height = rows;
       const context = canvas.getContext('2d');
-      const image = context.createImageData(speeds.length, rows);
-      const bins = orders.length;
-      for (let i = 0; i < speeds.length; ++i) {
+      const image = context.createImageData(columns, rows);
+      for (let at = 0, i = 0; at < columns; ++at) {
+        const speed = from + (at + 0.5) * (to - from) / columns;
+        while (i < end && speeds[i + 1] - speed < speed - speeds[i]) ++i;
         if (values.status[lineOf(this.point) * sizes[SPEED] + i] !== 1) continue;
-        for (let row = 0; row < rows; ++row) {
-          // The largest bin that falls into the cell: an average would hide the sharp lines of periodic motion.
-          const low = Math.max(0, Math.round(top * row / rows / speeds[i] / width));
-          const high = Math.max(low, Math.round(top * (row + 1) / rows / speeds[i] / width) - 1);
-          if (low >= bins) continue;
-          let code = 0;
-          for (let bin = low; bin <= Math.min(high, bins - 1); ++bin) code = Math.max(code, codes[i * bins + bin]);
+        for (let row = 0, first = 0; row < rows; ++row) {
+          const [low, high] = [row, row + 1].map((edge) => top * edge / rows / speeds[i]);
+          while (first + 1 < orders.length && orders[first + 1] - low <= low - orders[first]) ++first;
+          if (low > orders[orders.length - 1]) break;
+          // The largest line that falls into the cell: an average would hide the sharp ones of periodic motion. Where
+          // none does, the nearest.
+          let code = codes[i * orders.length + first];
+          for (let k = first + 1; k < orders.length && orders[k] < high; ++k) {
+            code = Math.max(code, codes[i * orders.length + k]);
+          }
           const share = (code / 65535 * 8 - 3) / 5;  // five decades
-          const at = 4 * ((rows - 1 - row) * speeds.length + i);
-          image.data.set(viridis(share), at);
-          image.data[at + 3] = 255;
+          const pixel = 4 * ((rows - 1 - row) * columns + at);
+          image.data.set(viridis(share), pixel);
+          image.data[pixel + 3] = 255;
         }
       }
       context.putImageData(image, 0, 0);
       this.waterfall = canvas;
       this.waterfallOf = this.opened.number;
     }
-    const step = speeds.length > 1 ? (speeds[speeds.length - 1] - speeds[0]) / (speeds.length - 1) / 2 : 0.01;
-    const from = speeds[0] - step, to = speeds[speeds.length - 1] + step;
     const count = atlas.scene.blades.count;
     const {largest} = atlas.lines.spectrum;
     const marked = [...new Set([1, 2, 3, count])];
@@ -475,10 +484,10 @@ class PointView {
     const from = Math.max(0, total - 4);
     const columns = {blade: [], tau: [], [column('force', 'N')]: []};
     if (orbit) {
-      const {number, blade, time, force} = orbit.contact;
+      const {number, blade, time, force, tau = time} = orbit.contact;
       const lines = new Map();
       number.forEach((contact, i) => {
-        [blade[i] + 1, time[i], force[i]].forEach((value, place) => Object.values(columns)[place].push(value));
+        [blade[i] + 1, tau[i], force[i]].forEach((value, place) => Object.values(columns)[place].push(value));
         if (time[i] < (from - 1) * period) return;
         if (!lines.has(contact)) {
           lines.set(contact, {kind: 'line', x: [time[i] / period], y: [0], colour: cycle()[blade[i] % 6], width: 1.5});

@@ -73,7 +73,7 @@ class Rotor {
   /// The angle of rotation φ; a speed ripple makes it run ahead and fall behind (model, section 7.5).
   angle(time) {
     const turned = this.request.speed_ratio * time;
-    const {amplitude = 0, order = 1, phase = 0} = atlas.scene.speed_ripple ?? {};
+    const {amplitude = 0, order = 1, phase = 0} = this.request.scene.speed_ripple ?? {};
     return turned + amplitude / order * (Math.sin(order * turned + phase) - Math.sin(phase));
   }
   /// The force on a blade at the present time, from the samples of its contacts, which are closer together than those
@@ -181,7 +181,7 @@ class Rotor {
   /// A blade that bears a force; `place` says where a point of it is.
   shape(force, place) {
     const {request} = this;
-    const {contact, yielding_ring: yielding, regularised_friction: turning, stribeck, stick} = atlas.scene;
+    const {contact, yielding_ring: yielding, regularised_friction: turning, stribeck, stick} = request.scene;
     if (!(force > 0) || contact.law === 'elastic_ring') return [[0, 0], [1, 0]];  // rigid blades stay straight
     const stiffness = request.youngs_modulus * request.blade_width * request.thickness ** 3 / 12;
     const radius = request.ring_radius + (yielding?.compliance ?? 0) * force;
@@ -206,7 +206,7 @@ class Rotor {
   csv() {
     const {orbit} = this;
     if (!orbit) return {};
-    const columns = {tau: Array.from(orbit.time)};
+    const columns = {tau: Array.from(orbit.tau ?? orbit.time)};
     ['x', 'y', 'vx', 'vy'].forEach((name, part) => {
       columns[column(name, part < 2 ? 'm' : 'm per unit of tau')] =
         componentOf(orbit.state, part);

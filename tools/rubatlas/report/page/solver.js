@@ -20,7 +20,7 @@ function systemInterface() {
 let module = null;
 
 /// The orbit with times in which all revolutions are equally long, as charts and the moving rotor need them: samples
-/// are equal parts of a revolution, also where a ramp makes one shorter than the other.
+/// are equal parts of a revolution, also where a ramp makes one shorter than the other. Its own times are `tau`.
 function inEqualRevolutions(orbit, period) {
   const {time, samples, contact} = orbit;
   const place = (at) => {
@@ -33,8 +33,8 @@ function inEqualRevolutions(orbit, period) {
     return low + (at - time[low]) / (time[high] - time[low]);
   };
   const equal = (at) => place(at) * period / samples;
-  return {...orbit, time: time.map((_, i) => i * period / samples),
-    contact: {...contact, time: contact.time.map(equal)}};
+  return {...orbit, tau: time, time: time.map((_, i) => i * period / samples),
+    contact: {...contact, tau: contact.time, time: contact.time.map(equal)}};
 }
 
 async function makeSolver(bytes) {
