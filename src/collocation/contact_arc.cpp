@@ -234,8 +234,7 @@ ContactArc::Outcome ContactArc::make() {
       begin_anew(0);
       continue;
     }
-    if (const int blade = touches_at_once(); blade != kNoBlade)
-      return end_at_once(Guard::touch_down, blade, !law_->ends_at_ring());
+    if (const int blade = touches_at_once(); blade != kNoBlade) return end_at_once(Guard::touch_down, blade);
     if (!is_anew) {
       is_anew = begin_anew(0);
       if (is_anew) continue;
@@ -345,9 +344,9 @@ bool ContactArc::lifts_off_at_once() const {
 }
 
 /// The next event is where the next interval would begin.
-ContactArc::Outcome ContactArc::end_at_once(Guard guard, int blade, bool inside) {
+ContactArc::Outcome ContactArc::end_at_once(Guard guard, int blade) {
   start_ = end_;
-  ending_ = {guard, 0.0, blade, 0.0, inside};
+  ending_ = {guard, 0.0, blade};
   return Outcome::made;
 }
 

@@ -245,7 +245,7 @@ class ContactArc {
   [[nodiscard]] bool is_met_at_once(const Ending& ending) const;
   [[nodiscard]] bool moves_little(double late) const;
   [[nodiscard]] bool lifts_off_at_once() const;
-  Outcome end_at_once(Guard guard, int blade, bool inside = false);
+  Outcome end_at_once(Guard guard, int blade);
   [[nodiscard]] bool starts_inside(int blade) const;
   [[nodiscard]] double gap_bound(int blade, const Interval& interval) const {
     return solver_.largest_gap(machine(), interval, numbers(blade), offset_of(blade));
