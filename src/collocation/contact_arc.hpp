@@ -54,8 +54,9 @@ class ContactArc {
     std::vector<Bending> further{};  ///< of the others, with p² in place of p
   };
 
-  /// Begins where these blades touch.
-  void begin(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching);
+  /// Begins where these blades touch, and finds what of their contacts follows from all of them: λ of a tip
+  /// that skims, c of rigid tips at rest.
+  void begin(double time, const rotor::ShaftAndRing& bodies, std::span<Touch> touching);
 
   enum class Outcome : std::uint8_t { made, gives_up };
   /// δ/L of the blade that is shortened most where they begin.
@@ -176,8 +177,7 @@ class ContactArc {
   /// p: the force of a blade that is bent less is some 1e-9 of EI/L².
   static constexpr double kNextToUnbent = 1e-4;
 
-  void lead(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching,
-            std::size_t leader);
+  void lead(double time, const rotor::ShaftAndRing& bodies, std::span<Touch> touching, std::size_t leader);
   [[nodiscard]] const Blade& numbers(int blade) const { return numbers_[static_cast<std::size_t>(blade)]; }
   [[nodiscard]] const Machine& machine() const { return machine_.numbers(); }
   /// dg/dτ of a straight tip that stands there at the end [m² per unit τ].

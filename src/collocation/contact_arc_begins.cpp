@@ -20,7 +20,7 @@ double ContactArc::gap_at(const Touch& touch, const Point& point) const {
   return touch.yielding * (2.0 * machine().ring_radius + touch.yielding);
 }
 
-void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching) {
+void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span<Touch> touching) {
   // Who touches down now is not the next to lift off. But the load of a blade with next to no friction all
   // but jumps there, which takes a time that only an arc over its bending resolves.
   const auto all_but_jumps = [this](const Touch& touch) {
@@ -35,25 +35,17 @@ void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span
   lead(time, bodies, touching, static_cast<std::size_t>(leads - touching.begin()));
 }
 
-void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<const Touch> touching,
+void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<Touch> touching,
                       std::size_t leader) {
   begins_ = true;
   ending_ = {};
   start_ = {.time = time, .bodies = bodies, .bending = {}};
-  std::vector<Touch> held;
-  if (std::ranges::count(touching, true, &Touch::skims) > 0) {
-    held.assign(touching.begin(), touching.end());
-    skim(held, start_);
-    touching = held;
-  }
+  if (std::ranges::count(touching, true, &Touch::skims) > 0) skim(touching, start_);
   const int leads = touching[leader].blade;
   law_->take(touching[leader]);
   start_.bending = law_->lead(touching[leader]);
-  if (law_->is_rigid() && std::ranges::count(touching, 0.0, &Touch::slip) > 0) {
-    held.assign(touching.begin(), touching.end());
-    straight_tips_.hold(state_at(start_), held);
-    touching = held;
-  }
+  if (law_->is_rigid() && std::ranges::count(touching, 0.0, &Touch::slip) > 0)
+    straight_tips_.hold(state_at(start_), touching);
   er_ = direction(leads, time);
   const double speed = blades_->angular_speed(time);
   tips_.clear();

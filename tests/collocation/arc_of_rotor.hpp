@@ -24,7 +24,7 @@ struct ArcOfRotor {
   ArcOfRotor& operator=(const ArcOfRotor&) = delete;
 
   /// Begins in a state of the shaft.
-  void begin(double time, const rotor::State& state, std::span<const collocation::Touch> touching) {
+  void begin(double time, const rotor::State& state, std::span<collocation::Touch> touching) {
     arc.begin(time, rotor::shaft_and_ring(state), touching);
   }
   [[nodiscard]] bool lifts_off() const {

@@ -96,7 +96,7 @@ std::unique_ptr<ArcOfRotor> arc_of(const Machine& m, const LoneContact& contact,
   const auto pose = rotor::pose_of(m.rotor, m.law.geometry(),
                                    m.blades.direction(start.blade, m.blades.first(start.time)), start.state);
   const double bending = m.law.starts_unloaded(pose, start.slip) ? 0.0 : *m.law.solve(pose, start.slip);
-  const std::array touching{collocation::Touch{start.blade, start.slip, bending}};
+  std::array touching{collocation::Touch{start.blade, start.slip, bending}};
   arc->begin(start.time, start.state, touching);
   return arc;
 }

@@ -115,7 +115,7 @@ InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, Mak
           (stands && std::abs(law.force(*touch, {at, m.rotor.speed_ratio}).normal - force.normal) > same))
         ++result.differ_at_start;
       if (!touch) continue;
-      arc.begin(start.time, rotor::shaft_and_ring(start.state), std::array{*touch});
+      arc.begin(start.time, rotor::shaft_and_ring(start.state), std::span(&*touch, 1));
       bool made = true;
       do {
         made = arc.make() == ContactArc::Outcome::made;
