@@ -55,14 +55,11 @@ class ContactArc {
   };
 
   /// Begins where these blades touch, and finds what of their contacts follows from all of them: λ of a tip
-  /// that skims, c of rigid tips at rest.
+  /// that skims, c of rigid tips at rest. Ends there where the shaft is not within the ring, or the limit of
+  /// a shortening is passed.
   void begin(double time, const rotor::ShaftAndRing& bodies, std::span<Touch> touching);
 
   enum class Outcome : std::uint8_t { made, gives_up };
-  /// δ/L of the blade that is shortened most where they begin.
-  [[nodiscard]] double shortening_at_start() const;
-  /// Whether the shaft is within the ring there.
-  [[nodiscard]] bool starts_within_ring() const;
   /// Makes the next interval, from the end of the one before.
   Outcome make();
   /// What ends an interval: the leading blade lifts off unbent or under load, or comes to the fold of its

@@ -33,6 +33,11 @@ void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span
   if (leads == touching.end()) leads = touching.begin();
   lead_changes_ = 0;
   lead(time, bodies, touching, static_cast<std::size_t>(leads - touching.begin()));
+  const rotor::State seen = rotor::from_ring(bodies);
+  if (!(std::hypot(seen[0], seen[1] + rotor_->misalignment) < machine().ring_radius))
+    ending_.guard = Guard::shaft_at_ring;
+  else if (std::ranges::max(tips_, {}, &TipStart::start_shortening).start_shortening > max_shortening_)
+    ending_.guard = Guard::shortening_limit;
 }
 
 void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<Touch> touching,
@@ -76,14 +81,6 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   found_ = {};
   number_ = 0;
   if (tips_.size() == 1 && !leading().skims) look_for_earlier();
-}
-
-double ContactArc::shortening_at_start() const {
-  return std::ranges::max(tips_, {}, &TipStart::start_shortening).start_shortening;
-}
-bool ContactArc::starts_within_ring() const {
-  const rotor::State seen = rotor::from_ring(start_.bodies);
-  return std::hypot(seen[0], seen[1] + rotor_->misalignment) < machine().ring_radius;
 }
 
 void ContactArc::look_for_earlier() {

@@ -43,9 +43,7 @@ ending::StatusDetail Collocated::start(double time, const rotor::ShaftAndRing& s
   setup_.meter->spend(Work::contact, price_of_searches(*law_) - price_before);
   if (at_once_) return StatusDetail::none;
   arc_.begin(time, state, contacts_);
-  if (!arc_.starts_within_ring()) return StatusDetail::shaft_at_ring;
-  return arc_.shortening_at_start() > setup_.limits.max_shortening ? StatusDetail::shortening_limit
-                                                                   : StatusDetail::none;
+  return is_at_event() ? end_of_arc().why : StatusDetail::none;
 }
 
 ModeEnd Collocated::advance(double until, MotionListener& listener) {
@@ -61,7 +59,7 @@ ModeEnd Collocated::advance(double until, MotionListener& listener) {
       piece_begin_ = piece_end_;
       if (beyond) return {Guard::horizon};
       pending_ = false;
-      if (arc_.ending().guard != collocation::ContactArc::Guard::none) return end_of_arc();
+      if (is_at_event()) return end_of_arc();
     }
     if (!setup_.meter->spend(Work::contact, price())) return {Guard::failed, -1, setup_.meter->why()};
     const std::uint64_t rejected = arc_.rejected();

@@ -78,6 +78,10 @@ class Collocated final : public Phase, public ContactPhases {
   /// Pays for what a listener asks: a place in an interval with its tangents, or all its nodes, take half as
   /// long as the interval.
   void pay_for_reading() { setup_.meter->spend(Work::contact, price() / 2); }
+  /// The arc has come to what ends it.
+  [[nodiscard]] bool is_at_event() const {
+    return arc_.ending().guard != collocation::ContactArc::Guard::none;
+  }
   [[nodiscard]] ModeEnd end_of_arc() const;
   [[nodiscard]] trajectory::Tip tip(int blade, const Point& point) const;
   /// The piece is an interval, and not a part of one.
