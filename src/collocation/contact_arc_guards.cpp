@@ -26,14 +26,13 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
   const TipInTime& leads = interval.leader();
   Ending first;
   std::size_t place_of_first = kPlaces;
-  // A quantity that keeps its sign while the contact lasts, at the first `count` nodes.
-  const auto look = [&](Guard guard, int blade, double start, const AtNodes& nodes, double sign,
+  // A quantity that is positive while the contact lasts, at the first `count` nodes.
+  const auto look = [&](Guard guard, int blade, double start, const AtNodes& nodes,
                         std::size_t count = kNodes) {
     std::size_t node = 0;
-    while (node < count && !(sign * nodes[node] < 0.0)) ++node;
+    while (node < count && !(nodes[node] < 0.0)) ++node;
     if (node == count || node + 1 > place_of_first) return;
-    AtPlaces values = at_places(start, nodes);
-    for (double& value : values) value *= sign;
+    const AtPlaces values = at_places(start, nodes);
     const double fraction = crossing(values, node + 1);
     if (node + 1 < place_of_first || fraction < first.fraction) {
       first = {guard, fraction, blade, slope_before(values, fraction)};
@@ -42,10 +41,10 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
   };
   const bool held_beyond_ring = is_held_beyond_ring();
   if (!held_beyond_ring && !(bounds_.gap_measure > 0.0))
-    look(Guard::under_load, leads.number, leads.start_gap_measure, leads.gap_measure, 1.0);
+    look(Guard::under_load, leads.number, leads.start_gap_measure, leads.gap_measure);
   // Over p itself the last node is the unbent blade.
   const std::size_t count = interval.chord.time == 0.0 ? kNodes - 1 : kNodes;
-  look(Guard::unbent, leads.number, interval.start_argument, interval.argument, 1.0, count);
+  look(Guard::unbent, leads.number, interval.start_argument, interval.argument, count);
   // Without other branches time stands still at the unbent blade, too, to rounding. On a ring with dampers it
   // all but does where a blade has just bent.
   const bool ends_only_branch =
@@ -54,27 +53,26 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
                                              (law_->has_branches(leads.number) || ends_only_branch));
   if (may_fold)
     look(Guard::fold, leads.number, sum_of_products(kNodeTables.value_at_start, interval.time_slope),
-         interval.time_slope, 1.0, count);
-  if (law_->leans()) look(Guard::chart_end, leads.number, leads.start_chart_left, leads.chart_left, 1.0);
+         interval.time_slope, count);
+  if (law_->leans()) look(Guard::chart_end, leads.number, leads.start_chart_left, leads.chart_left);
   const auto look_at_validity = [&](Guard guard, int blade) {
     const Quantity left = validity_left(interval, guard, blade);
-    look(guard, blade, left.start, left.nodes, 1.0);
+    look(guard, blade, left.start, left.nodes);
   };
   for (std::size_t k = 0; k < tips_.size(); ++k) {
     const TipInTime& tip = interval.tips[k];
     const Bounds::OfTip& bounds = bounds_.tips[k];
-    if (tip.straight || tip.skims)
-      look(Guard::pressed_in, tip.number, tip.start_cone_left, tip.cone_left, 1.0);
-    if (tip.slip == 0.0) look(Guard::loosening, tip.number, tip.start_cone_left, tip.cone_left, 1.0);
+    if (tip.straight || tip.skims) look(Guard::pressed_in, tip.number, tip.start_cone_left, tip.cone_left);
+    if (tip.slip == 0.0) look(Guard::loosening, tip.number, tip.start_cone_left, tip.cone_left);
     if (!(bounds.shortening < tip.blade->valid_shortening))
       look_at_validity(Guard::shortening_limit, tip.number);
     if (!reverses(tip.slip) || bounds.slip_velocity > 0.0) continue;
+    // |v|, or what has reversed of it.
+    const double sign = std::copysign(1.0, tip.start_slip_velocity);
+    const double rounding = slips_from_zero(tip.start_slip_velocity) ? slip_rounding() : -1.0;
     AtNodes velocity = tip.slip_velocity;
-    if (slips_from_zero(tip.start_slip_velocity)) {
-      for (double& v : velocity.value) v = std::abs(v) > slip_rounding() ? v : tip.start_slip_velocity;
-    }
-    look(Guard::slip_reversal, tip.number, tip.start_slip_velocity, velocity,
-         std::copysign(1.0, tip.start_slip_velocity));
+    for (double& v : velocity.value) v = sign * (std::abs(v) > rounding ? v : tip.start_slip_velocity);
+    look(Guard::slip_reversal, tip.number, sign * tip.start_slip_velocity, velocity);
   }
   if (!(bounds_.distance < machine().ring_radius)) look_at_validity(Guard::shaft_at_ring, kNoBlade);
   return first;
@@ -133,10 +131,8 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
     const TipCourse tip = course_of_tip(interval, blade);
     AtPlaces values = inside ? tip.rate : tip.gap;
     for (double& value : values) value = -value;
-    std::size_t place = kPlaces;
-    for (std::size_t i = 0; i < kNodes && place == kPlaces; ++i) {
-      if (values[i + 1] < 0.0) place = i + 1;
-    }
+    std::size_t place = 1;
+    while (place < kPlaces && !(values[place] < 0.0)) ++place;
     // It may come near the ring without touching it, or it touches at the start: shorter intervals tell.
     if (place == kPlaces || (place == 1 && !(values[0] > 0.0))) return std::nullopt;
     const double fraction = crossing(values, place);
