@@ -305,6 +305,7 @@ class ContactArc {
   [[nodiscard]] static Point at_node(const Interval& interval, std::size_t node);
   [[nodiscard]] static Point end_of(const Interval& interval) { return at_node(interval, kNodes - 1); }
   void bring_to_rest(int reversed);
+  void go_on_to_ring(const Interval& interval, int blade);
   void end_at(const Interval& interval, const Ending& ending);
 
   const rotor::Machine* whole_;

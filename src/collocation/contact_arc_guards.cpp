@@ -223,6 +223,35 @@ ContactArc::Guard ContactArc::guard_of_tip(Guard guard) const {
   return leading().slip == 0.0 && law_->leans() && is_end_of_branch ? Guard::loosening : guard;
 }
 
+/// To where the gap of a blade is zero: in time, and what is left, or all where the tip hardly moves against
+/// the ring, the shortest way for the shaft.
+void ContactArc::go_on_to_ring(const Interval& interval, int blade) {
+  const auto place_ring = [this] {
+    if (!machine().ring.is_massless()) return;
+    rotor::ContactState state = state_at(end_);
+    if (law_->place_ring(*whole_, touching_at(end_), state)) end_.bodies = rotor::bodies(state);
+  };
+  constexpr int kTimes = 2;
+  constexpr double kFarthest = 0.1;  // of the interval
+  contact::Pose there = pose(blade, end_);
+  const double rounding = contact::gap_rounding(law_->geometry(blade), there);
+  for (int i = 0; i < kTimes && (i == 0 || std::abs(there.gap) > rounding); ++i) {
+    const double late = -there.gap / gap_rate_at_end(blade, there);
+    if (std::abs(late) < kFarthest * interval.elapsed.at_end()) move(end_, interval, late);
+    place_ring();
+    there = pose(blade, end_);
+  }
+  const double radius = machine().ring_radius;
+  const double left = there.gap / (2.0 * radius);
+  if (!(std::abs(left) < tolerance_)) return;
+  const contact::BladeDirection er = direction(blade, end_.time);
+  const rotor::State seen = rotor::from_ring(end_.bodies);
+  const double reach = numbers(blade).reach;
+  end_.bodies[0] -= left * (seen[0] + reach * er.cosine) / radius;
+  end_.bodies[1] -= left * (seen[1] + rotor_->misalignment + reach * er.sine) / radius;
+  place_ring();
+}
+
 /// The end of an interval: of the contact, or at a touch-down, to rounding, where one ends it.
 void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   start_ = end_;
@@ -236,50 +265,15 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
                        blades_->angular_speed(end_.time), end_.bodies);
     if (ending_.guard == Guard::under_load && ending_.blade == skims) return;
   }
-  const auto place_ring = [this] {
-    if (!machine().ring.is_massless()) return;
-    rotor::ContactState state = state_at(end_);
-    if (law_->place_ring(*whole_, touching_at(end_), state)) end_.bodies = rotor::bodies(state);
-  };
-  // To where the gap of a blade is zero: in time, and what is left, or all where the tip hardly moves against
-  // the ring, the shortest way for the shaft.
-  const auto goes_on_to_ring = [&](int blade) {
-    constexpr int kTimes = 2;
-    constexpr double kFarthest = 0.1;  // of the interval
-    contact::Pose there = pose(blade, end_);
-    const double rounding = contact::gap_rounding(law_->geometry(blade), there);
-    for (int i = 0; i < kTimes && (i == 0 || std::abs(there.gap) > rounding); ++i) {
-      const double late = -there.gap / gap_rate_at_end(blade, there);
-      if (std::abs(late) < kFarthest * interval.elapsed.at_end()) move(end_, interval, late);
-      place_ring();
-      there = pose(blade, end_);
-    }
-    const double radius = machine().ring_radius;
-    const double left = there.gap / (2.0 * radius);
-    if (!(std::abs(left) < tolerance_)) return;
-    const contact::BladeDirection er = direction(blade, end_.time);
-    const rotor::State seen = rotor::from_ring(end_.bodies);
-    const double reach = numbers(blade).reach;
-    end_.bodies[0] -= left * (seen[0] + reach * er.cosine) / radius;
-    end_.bodies[1] -= left * (seen[1] + rotor_->misalignment + reach * er.sine) / radius;
-    place_ring();
-  };
-  switch (ending_.guard) {
-    case Guard::unbent:
-      move(end_, interval,
-           -end_.bending.argument * interval.time_slope.at_end() / interval.argument_slope.at_end());
-      end_.bending.argument = 0.0;
-      if (law_->ends_at_ring() && !law_->may_stand_straight(leader())) goes_on_to_ring(leader());
-      break;
-    case Guard::under_load:
-      if (law_->ends_at_ring()) goes_on_to_ring(ending_.blade);
-      break;
-    case Guard::touch_down:
-      if (!ending_.inside) goes_on_to_ring(ending_.blade);
-      break;
-    default:
-      break;
+  if (ending_.guard == Guard::unbent) {
+    move(end_, interval,
+         -end_.bending.argument * interval.time_slope.at_end() / interval.argument_slope.at_end());
+    end_.bending.argument = 0.0;
   }
+  const bool lifts_off = ending_.guard == Guard::under_load ||
+                         (ending_.guard == Guard::unbent && !law_->may_stand_straight(leader()));
+  const bool touches_down = ending_.guard == Guard::touch_down && !ending_.inside;
+  if (touches_down || (lifts_off && law_->ends_at_ring())) go_on_to_ring(interval, ending_.blade);
   if (!machine().ring.is_massless()) {
     const bool reverses_straight = ending_.guard == Guard::slip_reversal && is_straight(ending_.blade);
     bring_to_rest(reverses_straight ? ending_.blade : kNoBlade);
