@@ -22,31 +22,22 @@ constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less ev
 
 ContactArc::ContactArc(const rotor::Machine& machine, Law& law, double tolerance, double max_shortening)
     : whole_(&machine),
-      rotor_(&machine.constants),
-      blades_(&machine.blades),
       law_(&law),
       tolerance_(tolerance),
       machine_(machine, law.geometry(0).ring_radius),
       solver_(interval_solver()),
       predictor_(machine, law),
       straight_tips_(machine, law),
-      allowed_(kBetweenNodes * rotor_->length_scale *
-               std::pow(tolerance / rotor_->length_scale, Predictor::kOrder / kOrderAtEnd)),
+      allowed_(kBetweenNodes * whole_->constants.length_scale *
+               std::pow(tolerance / whole_->constants.length_scale, Predictor::kOrder / kOrderAtEnd)),
       ring_keeps_load_(!law.ends_at_ring() && !law.is_rigid()),
-      earlier_(machine.ring_body() != nullptr, rotor_->length_scale) {
+      earlier_(machine.ring_body() != nullptr, whole_->constants.length_scale) {
   law.take_machine(machine);
-  for (int k = 0; k < blades_->count(); ++k) {
-    from_first_.push_back(blades_->direction(k, {1.0, 0.0}));
+  for (int k = 0; k < whole_->blades.count(); ++k) {
+    from_first_.push_back(whole_->blades.direction(k, {1.0, 0.0}));
     numbers_.push_back(law.numbers(k));
     numbers_.back().valid_shortening = std::min(max_shortening, law.largest_shortening(k));
   }
-}
-
-contact::Pose ContactArc::pose(int blade, const Point& point) const {
-  return pose(blade, point, direction(blade, point.time));
-}
-contact::Pose ContactArc::pose(int blade, const Point& point, const contact::BladeDirection& er) const {
-  return rotor::pose_of(*rotor_, law_->geometry(blade), er, rotor::from_ring(point.bodies));
 }
 
 void ContactArc::start_next(Interval& next) const {
@@ -293,7 +284,7 @@ ContactArc::Outcome ContactArc::rebound() {
   const double coefficient = law_->friction_coefficient(touch, there, force(touch, end_));
   const std::complex<double> change =
       -2.0 * outwards * place / distance * std::complex<double>(1.0, coefficient);
-  const double shaft_share = rotor_->force_unit / whole_->closing_unit();
+  const double shaft_share = whole_->constants.force_unit / whole_->closing_unit();
   end_.bodies[2] += shaft_share * change.real();
   end_.bodies[3] += shaft_share * change.imag();
   end_.bodies[6] -= (1.0 - shaft_share) * change.real();

@@ -120,12 +120,16 @@ class ContactArc {
   [[nodiscard]] Law::Tangent direction_at(double fraction) const;
   /// er of a blade at a time, and where it stands.
   [[nodiscard]] contact::BladeDirection direction(int blade, double time) const {
-    return blades_->direction(blade, blades_->first(time));
+    return whole_->blades.direction(blade, whole_->blades.first(time));
   }
-  [[nodiscard]] contact::Pose pose(int blade, const Point& point) const;
-  [[nodiscard]] contact::Pose pose(int blade, const Point& point, const contact::BladeDirection& er) const;
+  [[nodiscard]] contact::Pose pose(int blade, const Point& point, const contact::BladeDirection& er) const {
+    return straight_tips_.pose(blade, point.bodies, er);
+  }
+  [[nodiscard]] contact::Pose pose(int blade, const Point& point) const {
+    return pose(blade, point, direction(blade, point.time));
+  }
   [[nodiscard]] TipPlace tip_place(int blade, const Point& point) const {
-    return {pose(blade, point), blades_->angular_speed(point.time)};
+    return {pose(blade, point), whole_->blades.angular_speed(point.time)};
   }
   /// How far a blade in contact is bent there.
   [[nodiscard]] Bending bending_of(int blade, const Point& point) const;
@@ -179,7 +183,7 @@ class ContactArc {
   [[nodiscard]] const Machine& machine() const { return machine_.numbers(); }
   /// dg/dτ of a straight tip that stands there at the end [m² per unit τ].
   [[nodiscard]] double gap_rate_at_end(int blade, const contact::Pose& there) const {
-    return contact::gap_rate(law_->geometry(blade), there, blades_->angular_speed(end_.time));
+    return contact::gap_rate(law_->geometry(blade), there, whole_->blades.angular_speed(end_.time));
   }
   /// Cosine and sine of the angle from the leading blade to another.
   [[nodiscard]] std::array<double, 2> offset_of(int blade) const {
@@ -265,10 +269,7 @@ class ContactArc {
     return std::abs(start_velocity) == std::numeric_limits<double>::min();
   }
   /// |v| of a slip reversal that has been located [m per unit τ].
-  [[nodiscard]] double slip_rounding() const {
-    return contact::slip_rounding(rotor_->speed_ratio * machine().ring_radius, end_.bodies[2],
-                                  end_.bodies[3]);
-  }
+  [[nodiscard]] double slip_rounding() const { return straight_tips_.slip_rounding(end_.bodies); }
   /// A blade in contact does not bend: it is rigid, or stands straight.
   [[nodiscard]] bool is_straight(int blade) const {
     if (law_->is_rigid()) return true;
@@ -309,8 +310,6 @@ class ContactArc {
   void end_at(const Interval& interval, const Ending& ending);
 
   const rotor::Machine* whole_;
-  const rotor::RotorConstants* rotor_;
-  const rotor::BladeSet* blades_;
   Law* law_;
   double tolerance_;  ///< [m]
   MachineInTime machine_;

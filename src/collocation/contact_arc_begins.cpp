@@ -34,7 +34,7 @@ void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span
   lead_changes_ = 0;
   lead(time, bodies, touching, static_cast<std::size_t>(leads - touching.begin()));
   const rotor::State seen = rotor::from_ring(bodies);
-  if (!(std::hypot(seen[0], seen[1] + rotor_->misalignment) < machine().ring_radius))
+  if (!(std::hypot(seen[0], seen[1] + whole_->constants.misalignment) < machine().ring_radius))
     ending_.guard = Guard::shaft_at_ring;
   else if (std::ranges::max(tips_, {}, &TipStart::start_shortening).start_shortening > max_shortening_)
     ending_.guard = Guard::shortening_limit;
@@ -52,7 +52,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   if (law_->is_rigid() && std::ranges::count(touching, 0.0, &Touch::slip) > 0)
     straight_tips_.hold(state_at(start_), touching);
   er_ = direction(leads, time);
-  const double speed = blades_->angular_speed(time);
+  const double speed = whole_->blades.angular_speed(time);
   tips_.clear();
   const auto start = [&](const Touch& touch, const contact::Pose& at) -> BladeStart& {
     BladeStart& tip = tips_.emplace_back(law_->start(touch, {at, speed}));
@@ -74,7 +74,7 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   }
   end_ = start_;
   others_.clear();
-  for (int blade = 0; blade < blades_->count(); ++blade) {
+  for (int blade = 0; blade < whole_->blades.count(); ++blade) {
     if (std::ranges::find(touching, blade, &Touch::blade) == touching.end()) others_.push_back(blade);
   }
   predict(touching[leader], there);
@@ -95,7 +95,7 @@ void ContactArc::look_for_earlier() {
   const std::complex<double> forcing = machine_.forcing(end_.time);
   found_ = earlier_.find({.shaft = motion(0, machine().misalignment),
                           .ring = motion(4, 0.0),
-                          .angular_speed = blades_->angular_speed(end_.time),
+                          .angular_speed = whole_->blades.angular_speed(end_.time),
                           .forcing = seen(forcing.real(), forcing.imag()),
                           .argument = end_.bending.argument,
                           .slip = leading().slip,
@@ -116,7 +116,7 @@ void ContactArc::predict(const Touch& touch, const contact::Pose& there) {
   for (BladeStart& tip : tips_) set_out(tip, closing);
   predictor_.begin({.touch = touch,
                     .blade = leading(),
-                    .angular_speed = blades_->angular_speed(end_.time),
+                    .angular_speed = whole_->blades.angular_speed(end_.time),
                     .bodies = end_.bodies,
                     .pose = there,
                     .direction = er_,
@@ -146,7 +146,7 @@ bool ContactArc::begin_anew(std::size_t leader) {
   there.gap = gaps[leader];
   std::optional<Touch> found;
   if (std::abs(there.gap) > contact::gap_rounding(law_->geometry(leads.blade), there))
-    found = law_->in_equilibrium(leads, {there, blades_->angular_speed(end_.time)});
+    found = law_->in_equilibrium(leads, {there, whole_->blades.angular_speed(end_.time)});
   leads = found.value_or(leads);
   lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, leader);
   std::rotate(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(leader),

@@ -248,7 +248,7 @@ void ContactArc::go_on_to_ring(const Interval& interval, int blade) {
   const rotor::State seen = rotor::from_ring(end_.bodies);
   const double reach = numbers(blade).reach;
   end_.bodies[0] -= left * (seen[0] + reach * er.cosine) / radius;
-  end_.bodies[1] -= left * (seen[1] + rotor_->misalignment + reach * er.sine) / radius;
+  end_.bodies[1] -= left * (seen[1] + whole_->constants.misalignment + reach * er.sine) / radius;
   place_ring();
 }
 
@@ -262,7 +262,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
     ending_ = {Guard::unbent, 1.0, leader(), 0.0};
   if (const int skims = skimming_blade(); skims != kNoBlade) {
     rotor::put_on_ring(*whole_, law_->geometry(skims), direction(skims, end_.time),
-                       blades_->angular_speed(end_.time), end_.bodies);
+                       whole_->blades.angular_speed(end_.time), end_.bodies);
     if (ending_.guard == Guard::under_load && ending_.blade == skims) return;
   }
   if (ending_.guard == Guard::unbent) {

@@ -40,7 +40,7 @@ bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) 
   const double bound = gap_bound(blade, interval);
   if (starts_inside(blade)) return solver_.upper_bound(course_of_tip(interval, blade).rate) < allowed;
   // A tip that has just lifted off may stand at the ring for a while.
-  return bound < allowed || bound < rotor_->gap_rounding(law_->geometry(blade));
+  return bound < allowed || bound < whole_->constants.gap_rounding(law_->geometry(blade));
 }
 
 /// Whether a fold is the lift-off of an unbent blade: time stands still there, too, so that rounding, or an

@@ -93,7 +93,7 @@ std::optional<ContactArc::Point> ContactArc::most_loaded(int blade, bool of_forc
   const AtPlaces values = of_force ? at_places(in_time.start_force, in_time.normal_force)
                                    : at_places(in_time.start_strain, in_time.root_strain);
   const double error =
-      kSafety * allowed_ / rotor_->length_scale * *std::max_element(values.begin(), values.end());
+      kSafety * allowed_ / whole_->constants.length_scale * *std::max_element(values.begin(), values.end());
   if (solver_.upper_bound(values) + error <= known) return std::nullopt;  // mostly
   const Stretch within = stretch(from, to);
   const auto most = largest_of(values, within.first, within.last, known - error);
