@@ -114,7 +114,8 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
     const double cosine = std::cos(touch.bend.amplitude);
     const double bending = side(touch) * (modulus * sine + touch.bend.modulus * cosine * amplitude);
     const double lean = side(touch) * (modulus * cosine - touch.bend.modulus * sine * amplitude);
-    const double slope = load_of(touch.blade).bending_slope(argument_of(touch));
+    const double argument = argument_of(touch);
+    const double slope = load_of(touch.blade).bending_slope(argument * argument);
     return {onwards * time, onwards * bending / slope, onwards * lean};
   }
   [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override { return knots_; }
@@ -148,7 +149,7 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
   [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
     const InclinedLoad& load = load_of(leader_);
     const double u = load.bending(bending.argument);
-    const double rate = along.argument * load.bending_slope(bending.argument);
+    const double rate = along.argument * load.bending_slope(bending.argument * bending.argument);
     const double square = u * u + bending.lean * bending.lean;
     return {0.0, load.side * (u * rate + bending.lean * along.lean) / std::sqrt(square),
             (bending.lean * rate - u * along.lean) / square};

@@ -15,7 +15,7 @@ double InclinedLoad::argument(double u) const {
   constexpr double kLastStep = 1e-15;
   double p = std::asinh(u / scale);
   for (int i = 0; i < kMost; ++i) {
-    const double step = (u - bending(p)) / bending_slope(p);
+    const double step = (u - bending(p)) / bending_slope(p * p);
     p += step;
     if (std::abs(step) <= kLastStep * std::abs(p)) break;
   }

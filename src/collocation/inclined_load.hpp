@@ -55,11 +55,11 @@ struct InclinedLoad {
            (1.0 +
             square * (1.0 / 6 + square * (1.0 / 120 + square * (1.0 / 5040 + square * (1.0 / 362880)))));
   }
-  /// du/dp.
-  [[nodiscard]] double bending_slope(double p) const {
-    const double square = p * p;
-    return scale *
-           (1.0 + square * (0.5 + square * (1.0 / 24 + square * (1.0 / 720 + square * (1.0 / 40320)))));
+  /// du/dp, of which p² is known.
+  template <class Number>
+  [[nodiscard]] Number bending_slope(const Number& square) const {
+    return ((((square * (1.0 / 40320) + 1.0 / 720) * square + 1.0 / 24) * square + 0.5) * square + 1.0) *
+           scale;
   }
   /// D/L over p² where the blade is hardly bent.
   [[nodiscard]] double deflection_per_square(double lean) const {

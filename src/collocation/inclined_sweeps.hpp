@@ -93,11 +93,6 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   Number e_rate_of(const Tip& tip, const Pose& at, const Vector& er) const {
     return tip.e_rate(at, this->angular_speed_, Base::in_blade(seen_acceleration(), er));
   }
-  /// du/dp, of which p² is known.
-  static Number bending_slope_of(const InclinedLoad& load, const Number& square) {
-    return ((((square * (1.0 / 40320) + 1.0 / 720) * square + 1.0 / 24) * square + 0.5) * square + 1.0) *
-           load.scale;
-  }
   /// |v| that a tip at rest had before the step. The shaft's velocity shows only what steps change.
   double slip_left(const Tip& tip) const {
     return tip.start.load->rests ? magnitude(tip.e).largest() * machine_.ring_radius : 0.0;
@@ -118,7 +113,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
                                        this->angular_speed_))
       return std::numeric_limits<double>::quiet_NaN();
     if (!kLight) {
-      bending_slope_ = bending_slope_of(*lead_.start.load, square);
+      bending_slope_ = lead_.start.load->bending_slope(square);
       const Number bending_by_deviation = bending_slope_ * in.normal.argument;
       const Number h_by_deviation =
           lead_.h_by_bending * bending_by_deviation + lead_.h_rate() * in.normal.time;
@@ -227,7 +222,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
                                      this->angular_speed_))
       return false;
     if (!kLight) {
-      further.bending_slope = bending_slope_of(*tip.start.load, further.square);
+      further.bending_slope = tip.start.load->bending_slope(further.square);
       further.e_rate = e_rate_of(tip, at, er);
       further.inverse = Number(1.0) / (tip.h_by_bending * tip.e_by_lean - tip.h_by_lean * tip.e_by_bending);
     }
