@@ -81,7 +81,7 @@ class ArcsOfAxialLoads : public Law {
     // Of a column that has just straightened no load is left, to rounding.
     constexpr double kLeast = 1e-12;
     const double buckling = numbers(touch.blade).buckling_load;
-    there.start_cone_left = std::max(buckling - there.force.normal, kLeast * buckling);
+    there.start_cone_left = std::max(buckling - there.at_start.normal, kLeast * buckling);
     return there;
   }
   [[nodiscard]] Tangent tangent(const Touch& touch, const TipPlace& at,

@@ -22,11 +22,11 @@ Course course_at_end(const Interval& made, const AtNodes& nodes) {
 void go_on(const Interval& made, const TipInTime& tip, bool further, BladeStart& start) {
   start.start_gap = tip.gap.at_end();
   start.start_gap_measure = tip.gap_measure.at_end();
-  start.start_slip_velocity = tip.slip_velocity.at_end();
-  start.start_force = tip.normal_force.at_end();
-  start.start_strain = tip.root_strain.at_end();
+  start.at_start.slip_velocity = tip.slip_velocity.at_end();
+  start.at_start.normal = tip.normal_force.at_end();
+  start.at_start.root_strain = tip.root_strain.at_end();
   start.start_lean = tip.lean.at_end();
-  start.start_shortening = tip.shortening.at_end();
+  start.at_start.shortening = tip.shortening.at_end();
   start.start_chart_left = tip.chart_left.at_end();
   start.start_cone_left = tip.cone_left.at_end();
   start.start_yielding = tip.yielding.at_end();

@@ -39,9 +39,8 @@ struct Course {
 
 /// One of them where the next interval starts.
 struct BladeStart : TipStart {
-  // Where the contact, or its leader, is new.
-  contact::TipForce force{};
-  double ring_opens = 0.0;  ///< d(R + y)²/dτ of a ring with dampers [m² per unit τ]
+  /// d(R + y)²/dτ of a ring with dampers [m² per unit τ], where the contact, or its leader, is new.
+  double ring_opens = 0.0;
   // Of a further blade. p² is smooth in time where p starts from 0.
   Course square{};  ///< p²
   Course lean{};    ///< l of a blade under an inclined load

@@ -36,7 +36,8 @@ void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span
   const rotor::State seen = rotor::from_ring(bodies);
   if (!(std::hypot(seen[0], seen[1] + whole_->constants.misalignment) < machine().ring_radius))
     ending_.guard = Guard::shaft_at_ring;
-  else if (std::ranges::max(tips_, {}, &TipStart::start_shortening).start_shortening > max_shortening_)
+  else if (std::ranges::any_of(
+               tips_, [this](const BladeStart& tip) { return tip.at_start.shortening > max_shortening_; }))
     ending_.guard = Guard::shortening_limit;
 }
 
@@ -108,7 +109,7 @@ void ContactArc::predict(const Touch& touch, const contact::Pose& there) {
   for (const BladeStart& tip : tips_) {
     const auto& [cosine, sine] = tip.offset;
     force += contact::on_rotor(
-        tip.force, {er_.cosine * cosine - er_.sine * sine, er_.sine * cosine + er_.cosine * sine});
+        tip.at_start, {er_.cosine * cosine - er_.sine * sine, er_.sine * cosine + er_.cosine * sine});
   }
   const rotor::Acceleration acceleration =
       whole_->acceleration(rotor::full_state(end_.bodies, end_.time, 0.0), force);

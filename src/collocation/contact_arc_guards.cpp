@@ -68,11 +68,11 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
       look_at_validity(Guard::shortening_limit, tip.number);
     if (!reverses(tip.slip) || bounds.slip_velocity > 0.0) continue;
     // |v|, or what has reversed of it.
-    const double sign = std::copysign(1.0, tip.start_slip_velocity);
-    const double rounding = slips_from_zero(tip.start_slip_velocity) ? slip_rounding() : -1.0;
+    const double sign = std::copysign(1.0, tip.at_start.slip_velocity);
+    const double rounding = slips_from_zero(tip.at_start.slip_velocity) ? slip_rounding() : -1.0;
     AtNodes velocity = tip.slip_velocity;
-    for (double& v : velocity.value) v = sign * (std::abs(v) > rounding ? v : tip.start_slip_velocity);
-    look(Guard::slip_reversal, tip.number, sign * tip.start_slip_velocity, velocity);
+    for (double& v : velocity.value) v = sign * (std::abs(v) > rounding ? v : tip.at_start.slip_velocity);
+    look(Guard::slip_reversal, tip.number, sign * tip.at_start.slip_velocity, velocity);
   }
   if (!(bounds_.distance < machine().ring_radius)) look_at_validity(Guard::shaft_at_ring, kNoBlade);
   return first;
@@ -103,7 +103,7 @@ ContactArc::Quantity ContactArc::validity_left(const Interval& interval, Guard g
   }
   const TipInTime& tip = tip_of(interval, blade);
   const double limit = tip.blade->valid_shortening;
-  Quantity result{limit - tip.start_shortening, {}};
+  Quantity result{limit - tip.at_start.shortening, {}};
   for (std::size_t i = 0; i < kNodes; ++i) result.nodes[i] = limit - tip.shortening[i];
   return result;
 }
@@ -168,7 +168,7 @@ double ContactArc::left_at_end(const Ending& ending, const Interval& interval) c
     case Guard::pressed_in:
       return tip().cone_left.at_end();
     default:
-      return std::copysign(1.0, tip().start_slip_velocity) * tip().slip_velocity.at_end();
+      return std::copysign(1.0, tip().at_start.slip_velocity) * tip().slip_velocity.at_end();
   }
 }
 

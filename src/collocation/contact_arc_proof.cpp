@@ -18,10 +18,10 @@ bool ContactArc::stays_valid(const Ending& ending) const {
     // Where v has been located as zero it has any sign. From zero a tip slips on by the square of the time,
     // at first less than the rounding of v.
     const double rounding = reverses_here ? std::max(rounding_at_end_, slip_rounding())
-                            : slips_from_zero(tip.start_slip_velocity) ? slip_rounding()
-                                                                       : 0.0;
+                            : slips_from_zero(tip.at_start.slip_velocity) ? slip_rounding()
+                                                                          : 0.0;
     const bool slips_on = rounding > 0.0 ? least >= -rounding : least > 0.0;
-    return slips_on && (tip.slip * tip.start_slip_velocity > 0.0 || law_->may_slip_back());
+    return slips_on && (tip.slip * tip.at_start.slip_velocity > 0.0 || law_->may_slip_back());
   };
   if (!(bounds_.distance < machine().ring_radius) && ending.guard != Guard::shaft_at_ring) return false;
   for (std::size_t k = 0; k < tips_.size(); ++k) {

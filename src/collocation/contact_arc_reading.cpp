@@ -90,8 +90,8 @@ double ContactArc::nearer_to_top(int blade, const Point& there, double fraction)
 std::optional<ContactArc::Point> ContactArc::most_loaded(int blade, bool of_force, double from, double to,
                                                          double known) {
   const TipInTime& in_time = tip(blade);
-  const AtPlaces values = of_force ? at_places(in_time.start_force, in_time.normal_force)
-                                   : at_places(in_time.start_strain, in_time.root_strain);
+  const AtPlaces values = of_force ? at_places(in_time.at_start.normal, in_time.normal_force)
+                                   : at_places(in_time.at_start.root_strain, in_time.root_strain);
   const double error =
       kSafety * allowed_ / whole_->constants.length_scale * *std::max_element(values.begin(), values.end());
   if (solver_.upper_bound(values) + error <= known) return std::nullopt;  // mostly

@@ -16,11 +16,11 @@ namespace rubatlas::collocation {
 /// The sign of v where it starts from zero: that of s, or, of a straight tip that may slip back, of dv/dτ.
 /// `acceleration`: of the shaft, seen from the ring.
 void ContactArc::set_out(TipStart& tip, const std::complex<double>& acceleration) const {
-  if (tip.slip == 0.0 || std::abs(tip.start_slip_velocity) > slip_rounding()) return;
+  if (tip.slip == 0.0 || std::abs(tip.at_start.slip_velocity) > slip_rounding()) return;
   const double ahead = law_->may_slip_back() && is_straight(tip.number)
                            ? straight_tips_.slip_acceleration(tip.number, state_at(end_), acceleration)
                            : tip.slip;
-  tip.start_slip_velocity = std::copysign(std::numeric_limits<double>::min(), ahead);
+  tip.at_start.slip_velocity = std::copysign(std::numeric_limits<double>::min(), ahead);
 }
 
 /// The same of bent tips that may slip back, which the solved interval tells: their v follows from how they
@@ -31,13 +31,13 @@ void ContactArc::set_out_as_solved() {
   for (std::size_t k = 0; k < tips_.size(); ++k) {
     BladeStart& tip = tips_[k];
     TipInTime& solved = trial().tips[k];
-    if (tip.slip != 0.0 && !is_straight(tip.number) && slips_from_zero(tip.start_slip_velocity)) {
+    if (tip.slip != 0.0 && !is_straight(tip.number) && slips_from_zero(tip.at_start.slip_velocity)) {
       const auto known =
           std::ranges::find_if(solved.slip_velocity.value, [left](double v) { return std::abs(v) > left; });
       if (known != solved.slip_velocity.value.end())
-        tip.start_slip_velocity = std::copysign(tip.start_slip_velocity, *known);
+        tip.at_start.slip_velocity = std::copysign(tip.at_start.slip_velocity, *known);
     }
-    solved.start_slip_velocity = tip.start_slip_velocity;
+    solved.at_start.slip_velocity = tip.at_start.slip_velocity;
   }
 }
 

@@ -35,7 +35,7 @@ class DampedLaw final : public LawOfBlades<DampedLaw, contact::ElasticBladeOnDam
     if (touch.straight) {
       found.yielding = law.depth(at.pose);
       const BladeStart there = start(found, at);
-      if (there.force.normal > 0.0 && there.start_cone_left > 0.0) return found;
+      if (there.at_start.normal > 0.0 && there.start_cone_left > 0.0) return found;
       return std::nullopt;
     }
     if (touch.touches_down() && touch.yielding == 0.0) found.yielding = law.depth(at.pose);

@@ -12,6 +12,7 @@
 #include "collocation/nodes.hpp"
 #include "contact/friction_law.hpp"
 #include "contact/pose.hpp"
+#include "contact/tip.hpp"
 
 namespace rubatlas::collocation {
 
@@ -96,13 +97,13 @@ struct TipStart {
   bool skims = false;                      ///< it stays on the ring under a share λ of its force (MODEL 4.9)
   double short_of_fold = 0.0;  ///< share of δ in ∂h/∂p by which `firmness` is zero before the fold
   double start_square = 0.0;   ///< p² of a further blade
+  /// Its force, of which the parts along and across the blade are those where the contact, or its leader, is
+  /// new.
+  contact::TipForce at_start{};
   // What is named so in `TipInTime`.
-  double start_gap = 0.0;                        ///< g of the straight tip [m²]
-  double start_gap_measure = 0.0;                ///< [m]
-  double start_slip_velocity = 0.0;              ///< [m per unit τ]
-  double start_force = 0.0, start_strain = 0.0;  ///< [N], [-]
+  double start_gap = 0.0;          ///< g of the straight tip [m²]
+  double start_gap_measure = 0.0;  ///< [m]
   double start_lean = 0.0;
-  double start_shortening = 0.0;
   double start_chart_left = 0.0;
   double start_cone_left = 0.0;
   double start_yielding = 0.0;

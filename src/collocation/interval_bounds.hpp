@@ -42,13 +42,13 @@ class IntervalBounds {
       Bounds::OfTip& of_tip = result.tips[k];
       const Number slip_velocity(tip.slip_velocity);
       of_tip.slip_velocity =
-          std::abs(tip.start_slip_velocity) - change(tip.start_slip_velocity, slip_velocity);
+          std::abs(tip.at_start.slip_velocity) - change(tip.at_start.slip_velocity, slip_velocity);
       if (!(of_tip.slip_velocity > 0.0))
-        of_tip.slip_velocity = least_magnitude(tip.start_slip_velocity, slip_velocity);
+        of_tip.slip_velocity = least_magnitude(tip.at_start.slip_velocity, slip_velocity);
       const Number shortening(tip.shortening);
-      of_tip.shortening = tip.start_shortening + change(tip.start_shortening, shortening);
+      of_tip.shortening = tip.at_start.shortening + change(tip.at_start.shortening, shortening);
       if (!(of_tip.shortening < tip.blade->valid_shortening))
-        of_tip.shortening = largest(tip.start_shortening, shortening);
+        of_tip.shortening = largest(tip.at_start.shortening, shortening);
       of_tip.stays = k == 0 || stays(tip);
     }
     if (in.leans()) inclined_bounds(result);

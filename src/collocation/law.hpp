@@ -190,19 +190,13 @@ class Law {
   }
   /// What a contact and its force say of its start.
   static BladeStart starts(const Touch& touch, const contact::TipForce& force, double gap_measure) {
-    BladeStart start;
-    start.force = force;
-    start.number = touch.blade;
-    start.slip = touch.slip;
-    start.straight = touch.straight;
-    start.skims = touch.skims;
-    start.start_gap_measure = gap_measure;
-    start.start_slip_velocity = force.slip_velocity;
-    start.start_force = force.normal;
-    start.start_strain = force.root_strain;
-    start.start_shortening = force.shortening;
-    start.start_yielding = touch.yielding;
-    return start;
+    return {{.number = touch.blade,
+             .slip = touch.slip,
+             .straight = touch.straight,
+             .skims = touch.skims,
+             .at_start = force,
+             .start_gap_measure = gap_measure,
+             .start_yielding = touch.yielding}};
   }
 
   contact::Friction friction_;

@@ -95,7 +95,7 @@ class RigidLaw final : public LawOfBlades<RigidLaw, contact::ElasticRingContact>
     return std::ranges::all_of(interval.tips, [width](const TipInTime& tip) {
       constexpr double kSteep = 10.0;  // v/v0 up to which tanh changes
       constexpr double kSeen = 3.0;
-      const auto [low, high] = std::ranges::minmax(at_places(tip.start_slip_velocity, tip.slip_velocity));
+      const auto [low, high] = std::ranges::minmax(at_places(tip.at_start.slip_velocity, tip.slip_velocity));
       return low > kSteep * width || high < -kSteep * width || high - low < kSeen * width;
     });
   }

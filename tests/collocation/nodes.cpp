@@ -131,8 +131,8 @@ TEST(BoundsOfAnInterval, HoldEveryQuantityBetweenTheNodes) {
   const auto shortening = [](double t) { return 1.0 + t * (0.9 - t); };
   fill(interval.shaft.start[0], interval.shaft.x, x);
   fill(interval.shaft.start[1], interval.shaft.y, y);
-  fill(tip.start_slip_velocity, tip.slip_velocity, slip_velocity);
-  fill(tip.start_shortening, tip.shortening, shortening);
+  fill(tip.at_start.slip_velocity, tip.slip_velocity, slip_velocity);
+  fill(tip.at_start.shortening, tip.shortening, shortening);
   const Bounds bounds = bounds_of(interval, kMisalignment);
   const Bounds loose = bounds_of(interval, kMisalignment, 10.0);
   const double displacement = interval_solver().largest_displacement(interval);
