@@ -106,11 +106,8 @@ void ContactArc::look_for_earlier() {
 /// What is known where the leading blade takes the lead.
 void ContactArc::predict(const Touch& touch, const contact::Pose& there) {
   std::complex<double> force;
-  for (const BladeStart& tip : tips_) {
-    const auto& [cosine, sine] = tip.offset;
-    force += contact::on_rotor(
-        tip.at_start, {er_.cosine * cosine - er_.sine * sine, er_.sine * cosine + er_.cosine * sine});
-  }
+  for (const BladeStart& tip : tips_)
+    force += contact::on_rotor(tip.at_start, tip.direction(er_.cosine, er_.sine));
   const rotor::Acceleration acceleration =
       whole_->acceleration(rotor::full_state(end_.bodies, end_.time, 0.0), force);
   const std::complex<double> closing = acceleration.shaft - acceleration.ring;

@@ -47,10 +47,7 @@ ContactArc::Point ContactArc::solved_at_fraction(double fraction) {
 }
 
 contact::BladeDirection ContactArc::direction_at_node(int blade, std::size_t node) const {
-  const double x = made().blade_x[node];
-  const double y = made().blade_y[node];
-  const auto& [cosine, sine] = tip(blade).offset;
-  return {x * cosine - y * sine, y * cosine + x * sine};
+  return tip(blade).direction(made().blade_x[node], made().blade_y[node]);
 }
 
 ContactArc::Stretch ContactArc::stretch(double from, double to) const {

@@ -3,7 +3,6 @@
 /// p does not change, and an arc that it leads is a stretch of time.
 #pragma once
 
-#include <array>
 #include <complex>
 #include <cstddef>
 #include <optional>
@@ -104,15 +103,12 @@ class DampedLaw final : public LawOfBlades<DampedLaw, contact::ElasticBladeOnDam
   /// At the nodes the load that would bend a straight blade, less its own.
   void find_bending_left(const Machine& machine, const Interval& interval, TipInTime& tip) const {
     const contact::ElasticBladeOnDampedRing& law = of(tip.number);
-    const std::array<double, 2>& offset = tip.offset;
     const Body& shaft = interval.shaft;
     const Body& ring = interval.ring;
     for (std::size_t i = 0; i < kNodes; ++i) {
-      const contact::BladeDirection er{interval.blade_x[i] * offset[0] - interval.blade_y[i] * offset[1],
-                                       interval.blade_y[i] * offset[0] + interval.blade_x[i] * offset[1]};
-      const contact::Pose at = contact::pose(law.geometry(), er, shaft.x[i] - ring.x[i],
-                                             shaft.y[i] - ring.y[i] + machine.misalignment,
-                                             shaft.vx[i] - ring.vx[i], shaft.vy[i] - ring.vy[i]);
+      const contact::Pose at = contact::pose(
+          law.geometry(), tip.direction(interval.blade_x[i], interval.blade_y[i]), shaft.x[i] - ring.x[i],
+          shaft.y[i] - ring.y[i] + machine.misalignment, shaft.vx[i] - ring.vx[i], shaft.vy[i] - ring.vy[i]);
       tip.cone_left[i] = law.bending_load(at, tip.slip, interval.angular_speed[i]) - tip.normal_force[i];
     }
   }

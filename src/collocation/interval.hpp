@@ -107,6 +107,11 @@ struct TipStart {
   double start_chart_left = 0.0;
   double start_cone_left = 0.0;
   double start_yielding = 0.0;
+
+  /// er of its blade where the leading one stands at (x, y).
+  [[nodiscard]] contact::BladeDirection direction(double x, double y) const {
+    return {x * offset[0] - y * offset[1], y * offset[0] + x * offset[1]};
+  }
 };
 
 /// A tip in contact within an interval.
