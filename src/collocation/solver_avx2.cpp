@@ -1,6 +1,5 @@
 // Four numbers in a register.
 
-#ifdef __AVX2__
 #include "collocation/inclined_sweeps.hpp"
 #include "collocation/interval_bounds.hpp"
 #include "collocation/interval_sweeps.hpp"
@@ -10,19 +9,13 @@
 namespace rubatlas::collocation {
 
 IntervalSolver solver_avx2() {
+#ifdef __AVX2__
   return {solved<4>,          inclined_solved<4>, rigid_solved<4>,
           inclined_branch<4>, bounds_of<4>,       largest_displacement_of<4>,
           upper_bound_of<4>,  largest_gap_of<4>,  read_stretch<4>};
-}
-
-}  // namespace rubatlas::collocation
-
 #else
-#include "collocation/interval.hpp"
-
-namespace rubatlas::collocation {
-IntervalSolver solver_avx2() {
   return solver_in_pairs();
-}
-}  // namespace rubatlas::collocation
 #endif
+}
+
+}  // namespace rubatlas::collocation

@@ -1,6 +1,5 @@
 // Eight numbers in a register.
 
-#if defined(__AVX512DQ__) && defined(__AVX512VL__)
 #include "collocation/inclined_sweeps.hpp"
 #include "collocation/interval_bounds.hpp"
 #include "collocation/interval_sweeps.hpp"
@@ -10,19 +9,13 @@
 namespace rubatlas::collocation {
 
 IntervalSolver solver_avx512() {
+#if defined(__AVX512DQ__) && defined(__AVX512VL__)
   return {solved<8, 4>,       inclined_solved<8>, rigid_solved<8>,
           inclined_branch<8>, bounds_of<8>,       largest_displacement_of<8>,
           upper_bound_of<8>,  largest_gap_of<8>,  read_stretch<8>};
-}
-
-}  // namespace rubatlas::collocation
-
 #else
-#include "collocation/interval.hpp"
-
-namespace rubatlas::collocation {
-IntervalSolver solver_avx512() {
   return solver_in_pairs();
-}
-}  // namespace rubatlas::collocation
 #endif
+}
+
+}  // namespace rubatlas::collocation
