@@ -199,7 +199,6 @@ class ContactArc {
     return rotor::full_state(point.bodies, point.time, 0.0);
   }
   void skim(std::span<Touch> touching, const Point& point) const;
-  [[nodiscard]] int skimming_blade() const;
   /// Where a blade in contact stands in `tips_`.
   [[nodiscard]] std::size_t number_of(int blade) const {
     std::size_t number = 0;

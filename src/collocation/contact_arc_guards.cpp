@@ -1,6 +1,7 @@
 // What ends an interval: the guards of the blades in contact and touch-downs of others, where they are, and
 // the state there.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -260,10 +261,10 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   ending_ = ending;
   if (ending.guard == Guard::none && interval.chord.time == 0.0)
     ending_ = {Guard::unbent, 1.0, leader(), 0.0};
-  if (const int skims = skimming_blade(); skims != kNoBlade) {
-    rotor::put_on_ring(*whole_, law_->geometry(skims), direction(skims, end_.time),
+  if (const auto skims = std::ranges::find(tips_, true, &TipStart::skims); skims != tips_.end()) {
+    rotor::put_on_ring(*whole_, law_->geometry(skims->number), direction(skims->number, end_.time),
                        whole_->blades.angular_speed(end_.time), end_.bodies);
-    if (ending_.guard == Guard::under_load && ending_.blade == skims) return;
+    if (ending_.guard == Guard::under_load && ending_.blade == skims->number) return;
   }
   if (ending_.guard == Guard::unbent) {
     move(end_, interval,

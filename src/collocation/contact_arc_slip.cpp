@@ -56,12 +56,6 @@ void ContactArc::skim(std::span<Touch> touching, const Point& point) const {
                                       others, force(skims, point));
 }
 
-/// The blade of the tip that skims, or none.
-int ContactArc::skimming_blade() const {
-  const auto skims = std::ranges::find(tips_, true, &TipStart::skims);
-  return skims == tips_.end() ? kNoBlade : skims->number;
-}
-
 /// Takes from the shaft's velocity what is left of v of straight tips at rest at the end, which is not to
 /// drift, and of a tip whose slip has reversed, the shortest way: its v does not jump where s changes, and
 /// its sign would be taken for that of what follows.
