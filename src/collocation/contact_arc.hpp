@@ -206,7 +206,6 @@ class ContactArc {
     return number;
   }
   [[nodiscard]] const BladeStart& leading() const { return tips_.front(); }
-  [[nodiscard]] double gap_at(const Touch& touch, const Point& point) const;
   [[nodiscard]] const Interval& made() const { return intervals_[made_]; }
   [[nodiscard]] Interval& trial() { return intervals_[1 - made_]; }
   [[nodiscard]] const Interval& trial() const { return intervals_[1 - made_]; }

@@ -13,13 +13,6 @@
 
 namespace rubatlas::collocation {
 
-/// g of a straight tip in contact [m²]. One that touches down stands on the ring.
-double ContactArc::gap_at(const Touch& touch, const Point& point) const {
-  if (law_->is_rigid() || law_->may_stand_straight(touch.blade) || !touch.touches_down())
-    return pose(touch.blade, point).gap;
-  return touch.yielding * (2.0 * machine().ring_radius + touch.yielding);
-}
-
 void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span<Touch> touching) {
   // Who touches down now is not the next to lift off. But the load of a blade with next to no friction all
   // but jumps there, which takes a time that only an arc over its bending resolves.
@@ -58,7 +51,9 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   const auto start = [&](const Touch& touch, const contact::Pose& at) -> BladeStart& {
     BladeStart& tip = tips_.emplace_back(law_->start(touch, {at, speed}));
     tip.blade = &numbers(touch.blade);
-    tip.start_gap = gap_at(touch, start_);
+    const bool may_be_deep = law_->is_rigid() || law_->may_stand_straight(touch.blade);
+    const bool stands_on_ring = touch.touches_down() && !may_be_deep;
+    tip.start_gap = stands_on_ring ? contact::widening(touch.yielding, machine().ring_radius) : at.gap;
     return tip;
   };
   const contact::Pose there = pose(leads, start_);
@@ -108,8 +103,7 @@ void ContactArc::predict(const Touch& touch, const contact::Pose& there) {
   std::complex<double> force;
   for (const BladeStart& tip : tips_)
     force += contact::on_rotor(tip.at_start, tip.direction(er_.cosine, er_.sine));
-  const rotor::Acceleration acceleration =
-      whole_->acceleration(rotor::full_state(end_.bodies, end_.time, 0.0), force);
+  const rotor::Acceleration acceleration = whole_->acceleration(state_at(end_), force);
   const std::complex<double> closing = acceleration.shaft - acceleration.ring;
   for (BladeStart& tip : tips_) set_out(tip, closing);
   predictor_.begin({.touch = touch,
