@@ -130,20 +130,18 @@ std::vector<Touch> ContactArc::touching_at(const Point& point) const {
 /// Gaps stay those by how far the tips have come: those of places would lose digits, or be nothing but
 /// rounding.
 bool ContactArc::begin_anew(std::size_t leader) {
-  std::vector<double> gaps;
-  for (const BladeStart& tip : tips_) gaps.push_back(tip.start_gap);
+  const std::vector<BladeStart> before = tips_;
   std::vector<Touch> touching = touching_at(end_);
   Touch& leads = touching[leader];
   contact::Pose there = pose(leads.blade, end_);
-  there.gap = gaps[leader];
+  there.gap = before[leader].start_gap;
   std::optional<Touch> found;
   if (std::abs(there.gap) > contact::gap_rounding(law_->geometry(leads.blade), there))
     found = law_->in_equilibrium(leads, {there, whole_->blades.angular_speed(end_.time)});
   leads = found.value_or(leads);
   lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, leader);
-  std::rotate(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(leader),
-              gaps.begin() + static_cast<std::ptrdiff_t>(leader) + 1);
-  for (std::size_t k = 0; k < tips_.size(); ++k) tips_[k].start_gap = gaps[k];
+  for (BladeStart& tip : tips_)
+    tip.start_gap = std::ranges::find(before, tip.number, &TipStart::number)->start_gap;
   predictor_.begin_interval();
   return found.has_value();
 }
