@@ -62,7 +62,6 @@ class ArcsOfAxialLoads : public Law {
     return found;
   }
   Bending lead(const Touch& touch) override {
-    leader_ = touch.blade;
     return {.argument = touch.straight ? kStraight : table(touch.blade).argument(touch.bending),
             .yielding = touch.yielding};
   }
@@ -93,10 +92,15 @@ class ArcsOfAxialLoads : public Law {
     const double slope = there.bending_slope * table(touch.blade).bending_slope_at(touch.bending);
     return {-slope, there.time_slope, 0.0};
   }
-  [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override {
-    return table(leader_).knots();
+  [[nodiscard]] std::span<const blade::BendingTable::Knot> knots(int blade) const override {
+    return table(blade).knots();
   }
-  [[nodiscard]] double deflection_per_square() const override { return deflection_per_square(leader_); }
+  [[nodiscard]] double deflection_per_square(const Touch& touch) const override {
+    constexpr double kUnbent = 0.01;  // p at which Δ ~ p² holds
+    const contact::ElasticaContact& law = elastica(touch.blade);
+    const double bending = table(touch.blade).bending(kUnbent);
+    return law.length() * law.curve().at(bending).deflection / (kUnbent * kUnbent);
+  }
   void set_course(const Touch& touch, const TipPlace& at, BladeStart& start) const override {
     const contact::ElasticaContact& law = elastica(touch.blade);
     if (touch.straight) {
@@ -107,7 +111,7 @@ class ArcsOfAxialLoads : public Law {
       // Where the blade begins to bend, g = 2 s ct Δ, with Δ ~ p².
       const double rate = contact::gap_rate(law.geometry(), at.pose, at.speed) - start.ring_opens;
       const double gap_measure = law.gap_per_deflection(at.pose, touch.slip, 0.0);
-      start.square.rate = rate / (gap_measure * deflection_per_square(touch.blade));
+      start.square.rate = rate / (gap_measure * deflection_per_square(touch));
     }
   }
   [[nodiscard]] bool solve(const Machine& machine, const Closeness& closeness,
@@ -129,8 +133,8 @@ class ArcsOfAxialLoads : public Law {
     const contact::TipForce force = law.constraint(at.pose, touch.slip, touch.bending, at.speed).force;
     return touch.skims ? rotor::share_of(force, touch.share) : force;
   }
-  [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
-    return {along.argument * table(leader_).bending_slope(bending.argument)};
+  [[nodiscard]] Rates rates(int blade, const Bending& bending, const Tangent& along) const override {
+    return {along.argument * table(blade).bending_slope(bending.argument)};
   }
 
  protected:
@@ -145,14 +149,6 @@ class ArcsOfAxialLoads : public Law {
   [[nodiscard]] const blade::BendingTable& table(int blade) const {
     return elastica(blade).curve().over_asinh();
   }
-  [[nodiscard]] double deflection_per_square(int blade) const {
-    constexpr double kUnbent = 0.01;  // p at which Δ ~ p² holds
-    const contact::ElasticaContact& law = elastica(blade);
-    const double bending = table(blade).bending(kUnbent);
-    return law.length() * law.curve().at(bending).deflection / (kUnbent * kUnbent);
-  }
-
-  int leader_ = 0;
 };
 
 /// In a ring without dampers. At a reset the root of h is looked for (MODEL 4.1 and 4.2).

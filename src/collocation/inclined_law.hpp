@@ -74,14 +74,12 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
     load.scale = std::max(2.0 * std::abs(lean_of(touch.bend)), InclinedLoad::kLeastScale);
   }
   Bending lead(const Touch& touch) override {
-    leader_ = touch.blade;
-    const InclinedLoad& load = load_of(leader_);
+    const InclinedLoad& load = load_of(touch.blade);
     // A blade that an axial load bends the way friction pushes has no fold (MODEL 4.2).
     has_branches_ =
         load.along_normal || load.rests || !load.friction.has_slip_state() || load.side * touch.slip < 0.0;
     const double lean = lean_of(touch.bend);
     if (touch.touches_down()) set_knots(load, lean);
-    deflection_per_square_ = of(leader_).length() * load.deflection_per_square(lean);
     return {argument_of(touch), lean};
   }
   [[nodiscard]] double side(const Touch& touch) const override {
@@ -118,8 +116,12 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
     const double slope = load_of(touch.blade).bending_slope(argument * argument);
     return {onwards * time, onwards * bending / slope, onwards * lean};
   }
-  [[nodiscard]] std::span<const blade::BendingTable::Knot> knots() const override { return knots_; }
-  [[nodiscard]] double deflection_per_square() const override { return deflection_per_square_; }
+  [[nodiscard]] std::span<const blade::BendingTable::Knot> knots(int /*blade*/) const override {
+    return knots_;
+  }
+  [[nodiscard]] double deflection_per_square(const Touch& touch) const override {
+    return of(touch.blade).length() * load_of(touch.blade).deflection_per_square(lean_of(touch.bend));
+  }
   void set_course(const Touch& touch, const TipPlace& at, BladeStart& start) const override {
     const double argument = argument_of(touch);
     start.lean.value = start.start_lean;
@@ -146,8 +148,8 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
     const auto& law = of(touch.blade);
     return law.force_of(at.pose, at.speed, law.constraint(at.pose, touch.slip, at.speed, touch.bend));
   }
-  [[nodiscard]] Rates rates(const Bending& bending, const Tangent& along) const override {
-    const InclinedLoad& load = load_of(leader_);
+  [[nodiscard]] Rates rates(int blade, const Bending& bending, const Tangent& along) const override {
+    const InclinedLoad& load = load_of(blade);
     const double u = load.bending(bending.argument);
     const double rate = along.argument * load.bending_slope(bending.argument * bending.argument);
     const double square = u * u + bending.lean * bending.lean;
@@ -285,12 +287,10 @@ class InclinedLaw final : public LawOfBlades<InclinedLaw, contact::DirectedElast
 
   bool rests_at_once_;
   std::vector<InclinedLoad> loads_;  ///< of each blade, as it last began or went on
-  int leader_ = 0;
-  bool has_branches_ = true;  ///< of the leading blade
+  bool has_branches_ = true;         ///< of the leading blade
   static constexpr double kKnotWidth = 0.25;
   static constexpr std::size_t kKnots = 14;
   std::array<blade::BendingTable::Knot, kKnots> knots_{};
-  double deflection_per_square_ = 0.0;
 };
 
 }  // namespace rubatlas::collocation

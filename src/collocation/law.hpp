@@ -116,9 +116,9 @@ class Law {
     return {1.0, 0.0, 0.0};
   }
   /// The leading blade's curve from the unbent blade on, roughly, with ends of pieces in p.
-  [[nodiscard]] virtual std::span<const blade::BendingTable::Knot> knots() const { return {}; }
-  /// Δ/p² [m] of the leading blade where it is hardly bent.
-  [[nodiscard]] virtual double deflection_per_square() const { return 0.0; }
+  [[nodiscard]] virtual std::span<const blade::BendingTable::Knot> knots(int /*blade*/) const { return {}; }
+  /// Δ/p² [m] where a blade is hardly bent.
+  [[nodiscard]] virtual double deflection_per_square(const Touch& /*touch*/) const { return 0.0; }
 
   [[nodiscard]] virtual bool solve(const Machine& machine, const Closeness& closeness,
                                    Interval& interval) const = 0;
@@ -142,7 +142,10 @@ class Law {
     double bending = 0.0;                   ///< of u
     double modulus = 0.0, amplitude = 0.0;  ///< of κ and φ
   };
-  [[nodiscard]] virtual Rates rates(const Bending& /*bending*/, const Tangent& /*along*/) const { return {}; }
+  [[nodiscard]] virtual Rates rates(int /*blade*/, const Bending& /*bending*/,
+                                    const Tangent& /*along*/) const {
+    return {};
+  }
 
   // Resets of one contact.
 

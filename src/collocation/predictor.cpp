@@ -126,7 +126,7 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
   const double side = law_->side(start.touch) * start.pose.tangential;
   const double per_load = 2.0 * along * machine_->closing_unit() * blade.load_unit;
   const double radius = law_->geometry(start.touch.blade).ring_radius;
-  const std::span<const blade::BendingTable::Knot> knots = law_->knots();
+  const std::span<const blade::BendingTable::Knot> knots = law_->knots(start.touch.blade);
   double energy = 0.5 * rate * rate;
   double largest = knots.back().argument;
   double gap = 0.0;
@@ -162,7 +162,7 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
   length_ = share_of_first_[0] * unit_length_;
   tangent_ = {0.0, 1.0};
   // Near the touch-down g = dg/dτ τ = (g/Δ) Δ, with Δ ~ p².
-  const double deflection = law_->deflection_per_square();
+  const double deflection = law_->deflection_per_square(start.touch);
   constexpr double kSharpest = 3.0;
   curvature_ = -std::clamp(2.0 * start.blade.start_gap_measure * deflection / (rate * time_unit_), 0.0,
                            kSharpest / largest);

@@ -247,7 +247,7 @@ void Collocated::path(double share, trajectory::PathPoint& point,
     const OpenContact open = arc_.touch_of(blade(i), there);
     const bool leads = open.blade == arc_.leader();
     const collocation::Law::Rates rates =
-        leads ? law_->rates(there.bending, rate) : collocation::Law::Rates{};
+        leads ? law_->rates(open.blade, there.bending, rate) : collocation::Law::Rates{};
     point.contacts.push_back({open.blade, open.slip, open.bending, length * rates.bending, leads,
                               open.bend.modulus, open.bend.amplitude, length * rates.modulus,
                               length * rates.amplitude});
