@@ -81,12 +81,13 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
 
 void ContactArc::look_for_earlier() {
   const auto seen = [this](double x, double y) {
-    return std::array{x * er_.cosine + y * er_.sine, y * er_.cosine - x * er_.sine};
+    return Eigen::Array2d{x * er_.cosine + y * er_.sine, y * er_.cosine - x * er_.sine};
   };
   const auto motion = [&](Eigen::Index body, double above) {
-    const auto [x, y] = seen(end_.bodies[body], end_.bodies[body + 1] + above);
-    const auto [vx, vy] = seen(end_.bodies[body + 2], end_.bodies[body + 3]);
-    return std::array{x, y, vx, vy};
+    Eigen::Array4d result;
+    result << seen(end_.bodies[body], end_.bodies[body + 1] + above),
+        seen(end_.bodies[body + 2], end_.bodies[body + 3]);
+    return result;
   };
   const std::complex<double> forcing = machine_.forcing(end_.time);
   found_ = earlier_.find({.shaft = motion(0, machine().misalignment),

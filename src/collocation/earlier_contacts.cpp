@@ -13,13 +13,6 @@ constexpr double kAlike = 0.03;
 /// each kind.
 constexpr double kSame = 0.001;
 
-template <std::size_t kSize>
-double largest_difference(const std::array<double, kSize>& a, const std::array<double, kSize>& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < kSize; ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
 /// `turn`: cosine and sine of the angle from where the earlier one started to where the next one does.
 void place(const Places& earlier, const std::array<double, 2>& turn, const AtNodes& times, Places& next) {
   const auto [cosine, sine] = turn;
@@ -68,8 +61,8 @@ void EarlierInterval::guess(const Machine& machine, Interval& next) const {
 double EarlierContacts::distance(const Beginning& a, const Beginning& b, double least) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   if (a.slip != b.slip || a.straight != b.straight || (a.argument == 0.0) != (b.argument == 0.0)) return kFar;
-  double of_places = std::max(largest_difference(a.shaft, b.shaft), largest_difference(a.forcing, b.forcing));
-  if (ring_moves_) of_places = std::max(of_places, largest_difference(a.ring, b.ring));
+  double of_places = std::max((a.shaft - b.shaft).abs().maxCoeff(), (a.forcing - b.forcing).abs().maxCoeff());
+  if (ring_moves_) of_places = std::max(of_places, (a.ring - b.ring).abs().maxCoeff());
   if (!(of_places < least * clearance_)) return kFar;
   return std::max({of_places / clearance_, std::abs(a.argument - b.argument),
                    std::abs(a.angular_speed - b.angular_speed)});

@@ -14,13 +14,13 @@ namespace rubatlas::collocation {
 
 /// How a contact begins, along and across the blade.
 struct Beginning {
-  std::array<double, 4> shaft{};    ///< place from the centre of the ring at rest, and velocity
-  std::array<double, 4> ring{};     ///< place and velocity
-  double angular_speed = 0.0;       ///< φ' [rad per unit τ]
-  std::array<double, 2> forcing{};  ///< acceleration by all forcings [m per unit τ²]
-  double argument = 0.0;            ///< p
-  double slip = 0.0;                ///< s
-  bool straight = false;            ///< as in `TipStart`
+  Eigen::Array4d shaft;        ///< place from the centre of the ring at rest, and velocity
+  Eigen::Array4d ring;         ///< place and velocity
+  double angular_speed = 0.0;  ///< φ' [rad per unit τ]
+  Eigen::Array2d forcing;      ///< acceleration by all forcings [m per unit τ²]
+  double argument = 0.0;       ///< p
+  double slip = 0.0;           ///< s
+  bool straight = false;       ///< as in `TipStart`
 };
 
 /// The solution of an interval of an earlier contact.
