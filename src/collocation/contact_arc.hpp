@@ -192,7 +192,7 @@ class ContactArc {
     return {to.cosine * from.cosine + to.sine * from.sine, to.sine * from.cosine - to.cosine * from.sine};
   }
   static void move(Point& point, const Interval& interval, double late);
-  void predict(const Touch& touch, const contact::Pose& there);
+  void predict(const Touch& touch, const TipPlace& at);
   void set_out(TipStart& tip, const std::complex<double>& acceleration) const;
   void set_out_as_solved();
   [[nodiscard]] static rotor::ContactState state_at(const Point& point) {

@@ -46,25 +46,24 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   if (law_->is_rigid() && std::ranges::count(touching, 0.0, &Touch::slip) > 0)
     straight_tips_.hold(state_at(start_), touching);
   er_ = direction(leads, time);
-  const double speed = whole_->blades.angular_speed(time);
   tips_.clear();
-  const auto start = [&](const Touch& touch, const contact::Pose& at) -> BladeStart& {
-    BladeStart& tip = tips_.emplace_back(law_->start(touch, {at, speed}));
+  const auto start = [&](const Touch& touch, const TipPlace& at) -> BladeStart& {
+    BladeStart& tip = tips_.emplace_back(law_->start(touch, at));
     tip.blade = &numbers(touch.blade);
     const bool may_be_deep = law_->is_rigid() || law_->may_stand_straight(touch.blade);
     const bool stands_on_ring = touch.touches_down() && !may_be_deep;
-    tip.start_gap = stands_on_ring ? contact::widening(touch.yielding, machine().ring_radius) : at.gap;
+    tip.start_gap = stands_on_ring ? contact::widening(touch.yielding, machine().ring_radius) : at.pose.gap;
     return tip;
   };
-  const contact::Pose there = pose(leads, start_);
+  const TipPlace there = tip_place(leads, start_);
   start(touching[leader], there);
   for (const Touch& touch : touching) {
     if (touch.blade == leads) continue;
     law_->take(touch);
-    const contact::Pose at = pose(touch.blade, start_);
+    const TipPlace at = tip_place(touch.blade, start_);
     BladeStart& tip = start(touch, at);
     tip.offset = offset_of(touch.blade);
-    law_->set_course(touch, {at, speed}, tip);
+    law_->set_course(touch, at, tip);
     tip.start_square = tip.square.value;
     start_.further.push_back({tip.start_square, tip.lean.value, tip.start_yielding, touch.share});
   }
@@ -100,7 +99,7 @@ void ContactArc::look_for_earlier() {
 }
 
 /// What is known where the leading blade takes the lead.
-void ContactArc::predict(const Touch& touch, const contact::Pose& there) {
+void ContactArc::predict(const Touch& touch, const TipPlace& at) {
   std::complex<double> force;
   for (const BladeStart& tip : tips_)
     force += contact::on_rotor(tip.at_start, tip.direction(er_.cosine, er_.sine));
@@ -109,9 +108,8 @@ void ContactArc::predict(const Touch& touch, const contact::Pose& there) {
   for (BladeStart& tip : tips_) set_out(tip, closing);
   predictor_.begin({.touch = touch,
                     .blade = leading(),
-                    .angular_speed = whole_->blades.angular_speed(end_.time),
                     .bodies = end_.bodies,
-                    .pose = there,
+                    .at = at,
                     .direction = er_,
                     .bending = end_.bending,
                     .acceleration = acceleration});
@@ -134,11 +132,11 @@ bool ContactArc::begin_anew(std::size_t leader) {
   const std::vector<BladeStart> before = tips_;
   std::vector<Touch> touching = touching_at(end_);
   Touch& leads = touching[leader];
-  contact::Pose there = pose(leads.blade, end_);
-  there.gap = before[leader].start_gap;
+  TipPlace there = tip_place(leads.blade, end_);
+  there.pose.gap = before[leader].start_gap;
   std::optional<Touch> found;
-  if (std::abs(there.gap) > contact::gap_rounding(law_->geometry(leads.blade), there))
-    found = law_->in_equilibrium(leads, {there, whole_->blades.angular_speed(end_.time)});
+  if (std::abs(there.pose.gap) > contact::gap_rounding(law_->geometry(leads.blade), there.pose))
+    found = law_->in_equilibrium(leads, there);
   leads = found.value_or(leads);
   lead(end_.time, rotor::ShaftAndRing(end_.bodies), touching, leader);
   for (BladeStart& tip : tips_)

@@ -62,19 +62,19 @@ double length_of(double x, double y) {
 void Predictor::begin(const Start& start) {
   shaft_ = {.acceleration = {start.acceleration.shaft.real(), start.acceleration.shaft.imag()}};
   ring_ = {.acceleration = {start.acceleration.ring.real(), start.acceleration.ring.imag()}};
-  const double speed = start.angular_speed;
+  const double speed = start.at.speed;
   const rotor::State state = rotor::from_ring(start.bodies);
   const contact::Geometry geometry = law_->geometry(start.touch.blade);
   lean_ = {start.bending.lean};
-  const double rate = contact::gap_rate(geometry, start.pose, speed) - start.blade.ring_opens;
+  const double rate = contact::gap_rate(geometry, start.at.pose, speed) - start.blade.ring_opens;
   double curvature = contact::gap_curvature(
-      geometry, start.direction, start.pose, {state[0], state[1] + machine_->constants.misalignment},
+      geometry, start.direction, start.at.pose, {state[0], state[1] + machine_->constants.misalignment},
       {state[2], state[3]}, start.acceleration.shaft - start.acceleration.ring, speed);
   // Under a load that stays a ring with dampers opens ever more slowly, at this rate.
   if (const Blade& blade = *start.blade.blade; blade.ring_damping > 0.0)
     curvature += start.blade.ring_opens * blade.ring_stiffness / blade.ring_damping;
   // Half of the contact, as far as the gap is a parabola: from its top to where it is closed.
-  const double rate_at_end = std::sqrt(std::max(0.0, rate * rate - 2.0 * curvature * start.pose.gap));
+  const double rate_at_end = std::sqrt(std::max(0.0, rate * rate - 2.0 * curvature * start.at.pose.gap));
   const double half =
       curvature < 0.0 && !start.touch.skims ? std::min(-rate_at_end / curvature, kLongestHalf) : kLongestHalf;
   if (start.bending.argument > 0.0) {
@@ -97,7 +97,7 @@ void Predictor::begin_under_load(const Start& start, double half) {
   const contact::BladeDirection& er = start.direction;
   const std::complex<double> acceleration =
       (start.acceleration.shaft - start.acceleration.ring) * std::complex<double>(er.cosine, -er.sine);
-  const Law::Tangent tangent = law_->tangent(start.touch, {start.pose, start.angular_speed}, acceleration);
+  const Law::Tangent tangent = law_->tangent(start.touch, start.at, acceleration);
   rests_ = law_->leans() && start.touch.slip == 0.0;
   if (rests_) {
     longest_unit_ = time_unit_;
@@ -122,8 +122,8 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
   // The largest bending: the force takes away what the gap's rate has of energy, (dg/dτ)²/2, as the blade
   // follows the gap with ct as it is.
   const Blade& blade = *start.blade.blade;
-  const double along = start.pose.radial + blade.reach;
-  const double side = law_->side(start.touch) * start.pose.tangential;
+  const double along = start.at.pose.radial + blade.reach;
+  const double side = law_->side(start.touch) * start.at.pose.tangential;
   const double per_load = 2.0 * along * machine_->closing_unit() * blade.load_unit;
   const double radius = law_->geometry(start.touch.blade).ring_radius;
   const std::span<const blade::BendingTable::Knot> knots = law_->knots(start.touch.blade);

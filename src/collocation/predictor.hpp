@@ -29,9 +29,8 @@ class Predictor {
   struct Start {
     Touch touch;
     const BladeStart& blade;
-    double angular_speed;  ///< φ' [rad per unit τ]
     rotor::ShaftAndRing bodies;
-    contact::Pose pose;                 ///< of the blade
+    TipPlace at;                        ///< of the blade
     contact::BladeDirection direction;  ///< er
     Bending bending;
     rotor::Acceleration acceleration;
