@@ -224,12 +224,7 @@ class ContactArc {
   [[nodiscard]] double error_of(const Interval& interval) const;
   [[nodiscard]] bool stays_valid(const Ending& ending) const;
   [[nodiscard]] Ending guard_of_contacts(const Interval& interval) const;
-  /// A quantity within an interval.
-  struct Quantity {
-    double start;
-    AtNodes nodes;
-  };
-  [[nodiscard]] Quantity validity_left(const Interval& interval, Guard guard, int blade) const;
+  [[nodiscard]] AtPlaces validity_left(const Interval& interval, Guard guard, int blade) const;
   [[nodiscard]] const TipInTime& tip_of(const Interval& interval, int blade) const {
     return interval.tips[number_of(blade)];
   }

@@ -28,52 +28,52 @@ ContactArc::Ending ContactArc::guard_of_contacts(const Interval& interval) const
   Ending first;
   std::size_t place_of_first = kPlaces;
   // A quantity that is positive while the contact lasts, at the first `count` nodes.
-  const auto look = [&](Guard guard, int blade, double start, const AtNodes& nodes,
-                        std::size_t count = kNodes) {
-    std::size_t node = 0;
-    while (node < count && !(nodes[node] < 0.0)) ++node;
-    if (node == count || node + 1 > place_of_first) return;
-    const AtPlaces values = at_places(start, nodes);
-    const double fraction = crossing(values, node + 1);
-    if (node + 1 < place_of_first || fraction < first.fraction) {
+  const auto look = [&](Guard guard, int blade, const AtPlaces& values, std::size_t count = kNodes) {
+    std::size_t place = 1;
+    while (place <= count && !(values[place] < 0.0)) ++place;
+    if (place > count || place > place_of_first) return;
+    const double fraction = crossing(values, place);
+    if (place < place_of_first || fraction < first.fraction) {
       first = {guard, fraction, blade, slope_before(values, fraction)};
-      place_of_first = node + 1;
+      place_of_first = place;
     }
   };
   const bool held_beyond_ring = is_held_beyond_ring();
   if (!held_beyond_ring && !(bounds_.gap_measure > 0.0))
-    look(Guard::under_load, leads.number, leads.start_gap_measure, leads.gap_measure);
+    look(Guard::under_load, leads.number, at_places(leads.start_gap_measure, leads.gap_measure));
   // Over p itself the last node is the unbent blade.
   const std::size_t count = interval.chord.time == 0.0 ? kNodes - 1 : kNodes;
-  look(Guard::unbent, leads.number, interval.start_argument, interval.argument, count);
+  look(Guard::unbent, leads.number, at_places(interval.start_argument, interval.argument), count);
   // Without other branches time stands still at the unbent blade, too, to rounding. On a ring with dampers it
   // all but does where a blade has just bent.
   const bool ends_only_branch =
       seeks_fold_ && law_->ends_at_ring() && !law_->is_rigid() && !is_next_to_unbent(interval);
   const bool may_fold = held_beyond_ring || (!is_straight(leads.number) &&
                                              (law_->has_branches(leads.number) || ends_only_branch));
-  if (may_fold)
-    look(Guard::fold, leads.number, sum_of_products(kNodeTables.value_at_start, interval.time_slope),
-         interval.time_slope, count);
-  if (law_->leans()) look(Guard::chart_end, leads.number, leads.start_chart_left, leads.chart_left);
+  if (may_fold) {
+    const double at_start = sum_of_products(kNodeTables.value_at_start, interval.time_slope);
+    look(Guard::fold, leads.number, at_places(at_start, interval.time_slope), count);
+  }
+  if (law_->leans())
+    look(Guard::chart_end, leads.number, at_places(leads.start_chart_left, leads.chart_left));
   const auto look_at_validity = [&](Guard guard, int blade) {
-    const Quantity left = validity_left(interval, guard, blade);
-    look(guard, blade, left.start, left.nodes);
+    look(guard, blade, validity_left(interval, guard, blade));
   };
   for (std::size_t k = 0; k < tips_.size(); ++k) {
     const TipInTime& tip = interval.tips[k];
     const Bounds::OfTip& bounds = bounds_.tips[k];
-    if (tip.straight || tip.skims) look(Guard::pressed_in, tip.number, tip.start_cone_left, tip.cone_left);
-    if (tip.slip == 0.0) look(Guard::loosening, tip.number, tip.start_cone_left, tip.cone_left);
+    if (tip.straight || tip.skims)
+      look(Guard::pressed_in, tip.number, at_places(tip.start_cone_left, tip.cone_left));
+    if (tip.slip == 0.0) look(Guard::loosening, tip.number, at_places(tip.start_cone_left, tip.cone_left));
     if (!(bounds.shortening < tip.blade->valid_shortening))
       look_at_validity(Guard::shortening_limit, tip.number);
     if (!reverses(tip.slip) || bounds.slip_velocity > 0.0) continue;
     // |v|, or what has reversed of it.
     const double sign = std::copysign(1.0, tip.at_start.slip_velocity);
     const double rounding = slips_from_zero(tip.at_start.slip_velocity) ? slip_rounding() : -1.0;
-    AtNodes velocity = tip.slip_velocity;
-    for (double& v : velocity.value) v = sign * (std::abs(v) > rounding ? v : tip.at_start.slip_velocity);
-    look(Guard::slip_reversal, tip.number, sign * tip.at_start.slip_velocity, velocity);
+    AtPlaces velocity = at_places(tip.at_start.slip_velocity, tip.slip_velocity);
+    for (double& v : velocity) v = sign * (std::abs(v) > rounding ? v : tip.at_start.slip_velocity);
+    look(Guard::slip_reversal, tip.number, velocity);
   }
   if (!(bounds_.distance < machine().ring_radius)) look_at_validity(Guard::shaft_at_ring, kNoBlade);
   return first;
@@ -88,7 +88,7 @@ bool ContactArc::starts_inside(int blade) const {
 }
 
 /// What is left of validity: of δ/L up to its limit, of |c|² up to the ring.
-ContactArc::Quantity ContactArc::validity_left(const Interval& interval, Guard guard, int blade) const {
+AtPlaces ContactArc::validity_left(const Interval& interval, Guard guard, int blade) const {
   if (guard == Guard::shaft_at_ring) {
     const double radius = machine().ring_radius;
     const auto left = [&](double x, double y) {
@@ -97,15 +97,14 @@ ContactArc::Quantity ContactArc::validity_left(const Interval& interval, Guard g
     };
     const Body& shaft = interval.shaft;
     const Body& ring = interval.ring;
-    Quantity result{left(shaft.start[0] - ring.start[0], shaft.start[1] - ring.start[1]), {}};
+    AtPlaces result{left(shaft.start[0] - ring.start[0], shaft.start[1] - ring.start[1])};
     for (std::size_t i = 0; i < kNodes; ++i)
-      result.nodes[i] = left(shaft.x[i] - ring.x[i], shaft.y[i] - ring.y[i]);
+      result[i + 1] = left(shaft.x[i] - ring.x[i], shaft.y[i] - ring.y[i]);
     return result;
   }
   const TipInTime& tip = tip_of(interval, blade);
-  const double limit = tip.blade->valid_shortening;
-  Quantity result{limit - tip.at_start.shortening, {}};
-  for (std::size_t i = 0; i < kNodes; ++i) result.nodes[i] = limit - tip.shortening[i];
+  AtPlaces result = at_places(tip.at_start.shortening, tip.shortening);
+  for (double& value : result) value = tip.blade->valid_shortening - value;
   return result;
 }
 
@@ -151,7 +150,7 @@ double ContactArc::left_at_end(const Ending& ending, const Interval& interval) c
   switch (ending.guard) {
     case Guard::shortening_limit:
     case Guard::shaft_at_ring:
-      return validity_left(interval, ending.guard, ending.blade).nodes.at_end();
+      return validity_left(interval, ending.guard, ending.blade).back();
     case Guard::touch_down: {
       const contact::Pose there = pose(ending.blade, end_of(interval));
       if (!ending.inside) return -there.gap;
