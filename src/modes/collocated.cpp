@@ -118,12 +118,10 @@ void Collocated::hand_over(double& time, rotor::ShaftAndRing& bodies, std::vecto
     contacts = contacts_;
     return;
   }
-  const auto take = [&](const Point& there) {
-    for (OpenContact& open : contacts) open = arc_.touch_of(open.blade, there);
-  };
   time = pending_ ? piece_end_ : arc_.end().time;
   bodies = pending_ ? arc_.solved_at(time).bodies : arc_.end().bodies;
-  pending_ ? take(arc_.point_at(arc_.fraction_at(time))) : take(arc_.end());
+  const Point there = pending_ ? arc_.point_at(arc_.fraction_at(time)) : arc_.end();
+  for (OpenContact& open : contacts) open = arc_.touch_of(open.blade, there);
 }
 
 void Collocated::places(const trajectory::SampleTimes& times, int first, std::span<double> x,
