@@ -57,6 +57,12 @@ double length_of(double x, double y) {
   return std::sqrt(x * x + y * y);
 }
 
+/// Of length 1.
+Interval::Direction direction_of(double time, double argument) {
+  const double length = length_of(time, argument);
+  return {time / length, argument / length};
+}
+
 }  // namespace
 
 void Predictor::begin(const Start& start) {
@@ -104,9 +110,7 @@ void Predictor::begin_under_load(const Start& start, double half) {
     time_unit_ = unit_at_rest(tangent.time, tangent.argument, tangent.lean);
     length_ = kFirstAtRest;
   }
-  const double time = tangent.time / time_unit_;
-  const double norm = length_of(time, tangent.argument);
-  tangent_ = {time / norm, tangent.argument / norm};
+  tangent_ = direction_of(tangent.time / time_unit_, tangent.argument);
   lean_.rate = tangent.lean / tangent.time;
 }
 
@@ -172,8 +176,7 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
   const double of_square = start.blade.start_gap_measure * deflection;
   if (curvature_of_gap > 0.0 && rate < kHardly * largest * std::sqrt(2.0 * curvature_of_gap * of_square)) {
     const double time = std::sqrt(2.0 * of_square / curvature_of_gap) / time_unit_;
-    const double norm = length_of(time, 1.0);
-    tangent_ = {time / norm, 1.0 / norm};
+    tangent_ = direction_of(time, 1.0);
     curvature_ = 0.0;
   }
 }
@@ -238,11 +241,8 @@ void Predictor::goes_on(const Interval& interval) {
     double argument;
   };
   const auto place = [&](std::size_t node) {
-    const double time = interval.time_slope[node] / time_unit_;
-    const double argument = interval.argument_slope[node];
-    const double norm = length_of(time, argument);
-    return Place{
-        {time / norm, argument / norm}, interval.elapsed[node] / time_unit_, interval.argument[node]};
+    return Place{direction_of(interval.time_slope[node] / time_unit_, interval.argument_slope[node]),
+                 interval.elapsed[node] / time_unit_, interval.argument[node]};
   };
   if (rests_) {
     const double time = interval.time_slope.at_end();
