@@ -90,6 +90,7 @@ std::vector<double> displacements_of_line(const atlas::AtlasReader& atlas,
 /// Contact at each point of a line, whose sections are `rows`.
 std::vector<PointContact> contacts_of_line(const atlas::AtlasReader& atlas, const settings::Scene& own,
                                            std::span<const std::uint8_t> status, std::size_t line,
+                                           std::span<const double> displacements,
                                            std::span<const double> rows, const ClosingTolerance& tolerance) {
   const auto kept = [&](std::initializer_list<const char*> names) {
     const auto* name = std::ranges::find_if(names, [&](const char* one) { return atlas.has(one); });
@@ -103,6 +104,7 @@ std::vector<PointContact> contacts_of_line(const atlas::AtlasReader& atlas, cons
     if (status[i] != kDone) continue;
     const ContactEvidence evidence{.figure = figures[i],
                                    .nearest_miss = misses[i],
+                                   .max_displacement = displacements[i],
                                    .sections = rows.empty() ? rows : row_of(rows, status.size(), i)};
     contacts[i] = contact_at(own, speeds[i], evidence, tolerance);
   }
@@ -223,7 +225,8 @@ Findings examine(const atlas::AtlasReader& atlas, const DisplacementLimit& limit
       points.motion_per_passing =
           classes_of_line(atlas.line_rows("poincare_blade_passing", line), line_status, tolerance);
     }
-    points.contact = contacts_of_line(atlas, own, line_status, line, rows, tolerance);
+    points.contact =
+        contacts_of_line(atlas, own, line_status, line, points.max_displacement, rows, tolerance);
     if (signs) add_signs(atlas, line_status, points, limit.metres(own), found);
     append(found.motion, points.motion);
     append(found.motion_per_passing, points.motion_per_passing);

@@ -31,16 +31,30 @@ bool is_free(const FreeShaft& shaft, std::span<const double> sections, const Clo
 
 PointContact contact_at(const settings::Scene& line, double speed_ratio, const ContactEvidence& evidence,
                         const ClosingTolerance& tolerance) {
-  const bool has_figure = std::isfinite(evidence.figure);
-  const bool has_sections = evidence.sections.size() > kStateSize && FreeShaft::describes(line);
-  if (!has_figure && !has_sections) return {};
-  if (has_figure && evidence.figure > 0.0) return {Contact::touches};
+  using effects::Effects;
+  if (evidence.figure > 0.0) return {Contact::touches};
+  // Unequal blades may be longer than the scene's, and a ring that is a body comes towards them.
+  const bool reach_no_farther = !line.unequal_blades && !effects::acts<&Effects::ring_body>(line);
+  const bool are_as_long = reach_no_farther && !effects::acts<&Effects::wear>(line);
+  bool is_pushed = false;        // by a ring, between two sections
+  double kept = kNotANumber;     // [m] distance from the ring within which no tip comes
+  double reached = kNotANumber;  // [m] distance within which a tip comes once per revolution
+  if (evidence.sections.size() > kStateSize && FreeShaft::describes(line, speed_ratio)) {
+    const FreeShaft shaft(line, speed_ratio);
+    const auto vibration = shaft.vibration(evidence.sections.first(kStateSize));
+    is_pushed = !is_free(shaft, evidence.sections, tolerance);
+    if (reach_no_farther) kept = shaft.distance(vibration);
+    if (are_as_long) reached = shaft.distance() + vibration.bound();
+  }
+  const bool stays_inside =
+      kept > 0.0 ||
+      (reach_no_farther && evidence.max_displacement < line.clearance() - std::abs(line.rotor.misalignment));
   PointContact result{Contact::none, evidence.nearest_miss};
-  if (!has_sections) return result;
-  const FreeShaft shaft(line, speed_ratio);
-  if (!has_figure && !is_free(shaft, evidence.sections, tolerance)) return {Contact::touches};
-  if (std::isnan(result.distance) && !line.unequal_blades)
-    result.distance = shaft.distance() - shaft.vibration(evidence.sections.first(kStateSize)).bound();
+  if (!std::isfinite(evidence.figure)) {
+    if (is_pushed || reached < 0.0) return {Contact::touches};
+    if (!stays_inside) return {};
+  }
+  if (std::isnan(result.distance) && are_as_long && kept > 0.0) result.distance = kept;
   if (result.distance <= 0.0) result.distance = kNotANumber;  // a bound that says nothing
   return result;
 }
@@ -105,7 +119,7 @@ ContactSummary summarise_contact(const Line& line) {
                     known.empty() ? "" : fmt::format(" at {} speeds", found.not_known)));
   }
   // A motion that has left the model may have touched there.
-  if (found.free > 0 && not_done > 0) parts.push_back(fmt::format("{} speeds are not done", not_done));
+  if (!known.empty() && not_done > 0) parts.push_back(fmt::format("{} speeds are not done", not_done));
   found.text = fmt::format("{}", fmt::join(parts, "; "));
   return found;
 }

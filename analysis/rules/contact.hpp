@@ -1,8 +1,10 @@
 /// Whether any blade touches the ring: at a point, and in one sentence for a line.
 ///
-/// A figure of the contacts that the atlas keeps decides. Without one the sections decide: a motion touches
-/// nothing from one section to the next where the second follows from the first by free motion in closed
-/// form, within the closing tolerance (class.hpp).
+/// A figure of the contacts that the atlas keeps decides. Without one contact is what the sections and the
+/// maximum displacement prove: a blade touches where a section does not follow from the one before by free
+/// motion in closed form, within the closing tolerance (class.hpp), or where that motion takes it beyond the
+/// ring; none does where the motion keeps all tips off the ring. Sections that follow from each other do not
+/// prove that: what a touch leaves may die out before the next section.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +19,10 @@ namespace rubatlas::analysis {
 
 /// What an atlas keeps of a point that tells of contacts; NaN, or empty, where it keeps it not.
 struct ContactEvidence {
-  double figure = kNotANumber;         ///< of the contacts: above zero where a blade touches
-  double nearest_miss = kNotANumber;   ///< [m] of a tip that passes the ring
-  std::span<const double> sections{};  ///< once per revolution, sections × 4
+  double figure = kNotANumber;            ///< of the contacts: above zero where a blade touches
+  double nearest_miss = kNotANumber;      ///< [m] of a tip that passes the ring
+  double max_displacement = kNotANumber;  ///< [m] of the shaft
+  std::span<const double> sections{};     ///< once per revolution, sections × 4
 };
 
 /// Contact at a point that is done, of a line whose scene is `line`.

@@ -19,21 +19,21 @@ Complex deflection_of(const settings::Scene& line) {
 
 /// Z [m]: the point at phase 0 of the circle on which an unbalance drives the shaft.
 Complex circle_of(const settings::Scene& line, double speed) {
-  if (!line.unbalance) return 0.0;
+  if (!effects::acts<&effects::Effects::unbalance>(line)) return 0.0;
   const Complex detuning(1.0 - speed * speed, 2.0 * line.rotor.damping_ratio * speed);
   return std::polar(line.unbalance->moment / line.rotor.mass, line.unbalance->phase) * speed * speed /
          detuning;
 }
 
-/// The tips are on circles round f, as seen from the ring's centre at −i y0.
-double distance_of(const settings::Scene& line, Complex deflection, Complex circle) {
+/// Radius of the ring less that of the outermost tip's circle round f [m].
+double room_of(const settings::Scene& line, Complex circle) {
   const double reach = line.blades.hub_radius + line.blades.length;
   double farthest = 0.0;
   for (int blade = 0; blade < line.blades.count; ++blade) {
     const double angle = 2.0 * std::numbers::pi * blade / line.blades.count;
     farthest = std::max(farthest, std::abs(circle + std::polar(reach, angle)));
   }
-  return line.ring.radius - farthest - std::abs(deflection + Complex(0.0, line.rotor.misalignment));
+  return line.ring.radius - farthest;
 }
 
 }  // namespace
@@ -44,12 +44,17 @@ FreeShaft::FreeShaft(const settings::Scene& line, double speed_ratio)
       revolution_(rotor::FreeMotion(damping_ratio_).kernel(2.0 * std::numbers::pi / speed_ratio)),
       deflection_(deflection_of(line)),
       circle_(circle_of(line, speed_ratio)),
-      distance_(distance_of(line, deflection_, circle_)) {}
+      room_(room_of(line, circle_)),
+      centre_(deflection_ + Complex(0.0, line.rotor.misalignment)) {}
 
 bool FreeShaft::describes(const settings::Scene& line) {
   using effects::Effects;
   return !effects::acts<&Effects::support>(line) && !effects::acts<&Effects::speed_ripple>(line) &&
          !effects::acts<&Effects::speed_ramp>(line);
+}
+
+bool FreeShaft::describes(const settings::Scene& line, double speed_ratio) {
+  return describes(line) && std::isfinite(std::abs(circle_of(line, speed_ratio)));
 }
 
 FreeShaft::Vibration FreeShaft::vibration(std::span<const double> section) const {
@@ -61,6 +66,25 @@ FreeShaft::Vibration FreeShaft::later(const Vibration& now) const {
   using Motion = rotor::FreeMotion;
   return {Motion::position(revolution_, damping_ratio_, now.position, now.velocity),
           Motion::velocity(revolution_, damping_ratio_, now.position, now.velocity)};
+}
+
+double FreeShaft::distance(const Vibration& left) const {
+  double farthest = std::abs(centre_) + left.bound();
+  if (damping_ratio_ < 1.0) {
+    // D spirals inwards from an ellipse, and never leaves a polygon round that.
+    constexpr int kCorners = 64;
+    const double enlarged = 1.0 / std::cos(std::numbers::pi / kCorners);
+    const double frequency = rotor::FreeMotion(damping_ratio_).damped_frequency();
+    const Complex quarter_later = (left.velocity + damping_ratio_ * left.position) / frequency;
+    double corner = 0.0;
+    for (int i = 0; i < kCorners; ++i) {
+      const Complex turn = std::polar(enlarged, 2.0 * std::numbers::pi * i / kCorners);
+      corner =
+          std::max(corner, std::abs(centre_ + turn.real() * left.position + turn.imag() * quarter_later));
+    }
+    farthest = std::min(farthest, corner);
+  }
+  return room_ - farthest;
 }
 
 }  // namespace rubatlas::analysis

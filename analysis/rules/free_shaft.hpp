@@ -21,6 +21,8 @@ class FreeShaft {
 
   /// False for effects under which the shaft moves in flight in other ways than assumed here.
   [[nodiscard]] static bool describes(const settings::Scene& line);
+  /// False also where an undamped shaft is driven at its natural frequency, and Z does not exist.
+  [[nodiscard]] static bool describes(const settings::Scene& line, double speed_ratio);
 
   [[nodiscard]] Complex deflection() const { return deflection_; }  ///< f [m]
   [[nodiscard]] Complex circle() const { return circle_; }          ///< Z [m]
@@ -36,8 +38,10 @@ class FreeShaft {
   /// One revolution later.
   [[nodiscard]] Vibration later(const Vibration& now) const;
 
-  /// Least distance between a tip of equal blades and the ring at any time [m], less the vibration.
-  [[nodiscard]] double distance() const { return distance_; }
+  /// Least distance between a tip of equal blades and the ring at any time, without any vibration [m].
+  [[nodiscard]] double distance() const { return room_ - std::abs(centre_); }
+  /// A lower bound of it from here on while `left` dies out.
+  [[nodiscard]] double distance(const Vibration& left) const;
 
  private:
   double speed_ratio_;
@@ -45,7 +49,8 @@ class FreeShaft {
   rotor::FreeMotion::Kernel revolution_;
   Complex deflection_;
   Complex circle_;
-  double distance_;
+  double room_;     ///< [m] left beside the circles of the tips
+  Complex centre_;  ///< [m] of these circles, from that of the ring
 };
 
 }  // namespace rubatlas::analysis

@@ -56,7 +56,7 @@ TEST(Contact, AFigureThatTheAtlasKeepsDecides) {
   EXPECT_EQ(none.distance, 2e-3);
 }
 
-TEST(Contact, WithoutAFigureSectionsThatFollowFromEachOtherByFreeMotionAreThoseOfAMotionWithoutContact) {
+TEST(Contact, WithoutAFigureFreeMotionInsideTheRingIsWithoutContactAndAKickIsATouch) {
   const auto scene = loaded();
   auto sections = free_sections(scene, 6);
   EXPECT_EQ(contact_at(scene, kSpeedOfFreeMotion, {.sections = sections}, kEqualSections).contact,
@@ -80,6 +80,66 @@ TEST(Contact, ASupportThatMovesTheShaftOtherwiseLeavesContactUnknown) {
   EXPECT_EQ(
       contact_at(scene, kSpeedOfFreeMotion, {.figure = 0.0, .sections = sections}, kEqualSections).contact,
       Contact::none);
+}
+
+/// Sections of a shaft that is at rest there, whatever happened before.
+const std::vector<double> kAtRest(4 * 6, 0.0);
+
+PointContact at_rest(const std::string& sections_of_scene, const ContactEvidence& evidence) {
+  const auto scene = settings::parse_scene(R"({"grid": {"speed_ratio": 1.0}, )" + sections_of_scene + "}");
+  return contact_at(scene, 1.0, evidence, kEqualSections);
+}
+
+TEST(Contact, AKickThatDiesOutBeforeTheNextSectionDoesNotHideThatTheShaftCannotRestWithoutContact) {
+  const auto contact = [](const std::string& misalignment) {
+    return at_rest(R"("rotor": {"misalignment": )" + misalignment + "}", {.sections = kAtRest}).contact;
+  };
+  EXPECT_EQ(contact("0.0101"), Contact::touches);
+  EXPECT_EQ(contact("-0.0101"), Contact::touches);
+  EXPECT_EQ(contact("0.0099"), Contact::none);
+}
+
+TEST(Contact, AVibrationThatMayReachTheRingLeavesContactUnknown) {
+  const auto scene = settings::parse_scene(
+      R"({"grid": {"speed_ratio": 1.0}, "rotor": {"misalignment": 0.009, "damping_ratio": 0}})");
+  const auto contact = [&](double x, double y) {
+    std::vector<double> sections;
+    for (int i = 0; i < 6; ++i) sections.insert(sections.end(), {x, y, 0.0, 0.0});
+    return contact_at(scene, 1.0, {.sections = sections}, kEqualSections);
+  };
+  EXPECT_EQ(contact(0.0, 2e-3).contact, Contact::not_known);
+  EXPECT_EQ(contact(0.0, 0.9e-3).contact, Contact::none);
+  const auto along_the_ring = contact(2e-3, 0.0);
+  EXPECT_EQ(along_the_ring.contact, Contact::none) << "its tips pass beside the nearest place of the ring";
+  EXPECT_NEAR(along_the_ring.distance, 0.01 - std::hypot(0.009, 2e-3), 1e-6);
+}
+
+TEST(Contact, AnUndampedShaftDrivenAtItsNaturalFrequencyHasNoSteadyMotionToJudgeBy) {
+  const std::string driven =
+      R"("rotor": {"misalignment": 0.005, "damping_ratio": 0}, "unbalance": {"moment": )";
+  EXPECT_EQ(at_rest(driven + "1e-6}", {.sections = kAtRest}).contact, Contact::not_known);
+  EXPECT_EQ(at_rest(driven + "1e-6}", {.max_displacement = 4e-3, .sections = kAtRest}).contact,
+            Contact::none);
+  EXPECT_EQ(at_rest(driven + "0}", {.sections = kAtRest}).contact, Contact::none);
+}
+
+TEST(Contact, AShaftThatNeverComesSoFarTouchesNothingWhateverMovesIt) {
+  const std::string supported = R"("rotor": {"misalignment": 0.005}, "support": {"stiffness_yy": 50})";
+  EXPECT_EQ(at_rest(supported, {.max_displacement = 4.9e-3}).contact, Contact::none);
+  EXPECT_EQ(at_rest(supported, {.max_displacement = 5.1e-3}).contact, Contact::not_known);
+  EXPECT_EQ(at_rest(supported + R"(, "unequal_blades": {"length_errors": [1e-3, 0, 0]})",
+                    {.max_displacement = 4.9e-3})
+                .contact,
+            Contact::not_known);
+}
+
+TEST(Contact, WornBladesAreFartherFromTheRingThanTheSceneSays) {
+  const std::string wears = R"("wear": {"rate": 1e-5, "carries_over": true}, "rotor": {"misalignment": )";
+  const auto apart = at_rest(wears + "0.009}", {.figure = 0.0, .sections = kAtRest});
+  EXPECT_EQ(apart.contact, Contact::none);
+  EXPECT_TRUE(std::isnan(apart.distance));
+  EXPECT_EQ(at_rest(wears + "0.009}", {.sections = kAtRest}).contact, Contact::none);
+  EXPECT_EQ(at_rest(wears + "0.0101}", {.sections = kAtRest}).contact, Contact::not_known);
 }
 
 TEST(Contact, TheDistanceIsThatOfTheOutermostTipOnItsCircle) {
@@ -116,6 +176,7 @@ std::string sentence(const std::string& points) {
 TEST(Contact, ALineSaysWhereBladesFirstTouchOrHowCloseTheyCome) {
   EXPECT_EQ(sentence("----------"), "no contact; closest 0.38 mm at Ω = 0.7");
   EXPECT_EQ(sentence("cccccccccc"), "contact at every speed");
+  EXPECT_EQ(sentence("ccccccccxx"), "contact at every speed; 2 speeds are not done");
   EXPECT_EQ(sentence("----cccccc"), "first contact at Ω = 0.5; elsewhere closest 3.38 mm at Ω = 0.4");
   EXPECT_EQ(
       sentence("cccc------"),
