@@ -51,17 +51,18 @@ std::size_t count_between(Points points, double above, double below) {
       points, [=](const ClassifiedPoint& p) { return p.scaled_speed > above && p.scaled_speed < below; }));
 }
 
-/// True when there are enough points with a scaled speed in (above, below), and the line has no gap between
-/// them or between the last of them and `below`.
+/// True when there are enough points with a scaled speed in (above, below), and the line has no gap from the
+/// last point before them on to the first one behind them.
 bool covered(Points points, double above, double below) {
   std::size_t count = 0;
-  std::size_t piece = 0;
+  const ClassifiedPoint* before = nullptr;
   for (const auto& point : points) {
-    if (point.scaled_speed <= above) continue;
-    if (count > 0 && point.piece != piece) return false;
-    if (point.scaled_speed >= below) return count >= kFewestPoints;
-    piece = point.piece;
-    ++count;
+    if (point.scaled_speed > above) {
+      if (before == nullptr || point.piece != before->piece) return false;
+      if (point.scaled_speed >= below) return count >= kFewestPoints;
+      ++count;
+    }
+    before = &point;
   }
   return false;
 }
@@ -143,10 +144,10 @@ std::array<Region, 4> find_regions(const Line& line, SpeedScale scale,
   const auto first_above = std::ranges::find_if(all, [=](const auto& p) { return p.scaled_speed > start; });
   const auto points = Points(all).subspan(static_cast<std::size_t>(first_above - all.begin()));
 
-  const bool covered_2 = covered(points, kNominalTrigger[0], kBetweenTriggers);
-  const bool covered_3 = covered(points, kBetweenTriggers, kNominalTrigger[1]);
+  const bool covered_2 = covered(all, kNominalTrigger[0], kBetweenTriggers);
+  const bool covered_3 = covered(all, kBetweenTriggers, kNominalTrigger[1]);
   const double beyond = kNominalTrigger[1] + kTriggerSearch;
-  const bool covered_4 = covered(points, kNominalTrigger[1], beyond);
+  const bool covered_4 = covered(all, kNominalTrigger[1], beyond);
 
   const auto stretches = aperiodic_stretches(points, kShareWindow, kAperiodicMajority);
   const auto third = periodic_between_triggers(points, stretches);

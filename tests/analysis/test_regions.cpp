@@ -195,6 +195,22 @@ TEST(Regions, AreNotCalledAbsentWhereAGapGoesOnToTheirEnd) {
   expect_extent(regions[2], 0.641, 0.68);
 }
 
+TEST(Regions, AreNotCalledAbsentWhereTheirPlaceIsPendingUpToTheFirstPoint) {
+  // The line was computed from the top down to 0.45: chaos may be at the pending speeds.
+  const auto pending = regions_of({{0.45, {motion_class::kNone}, kNotANumber}, {0.95, {1}, 1e-2}});
+  EXPECT_EQ(pending[1].presence, Presence::not_covered);
+  EXPECT_EQ(pending[3].presence, Presence::absent);
+  const auto begins_late = regions_of_line(line_of(0.45, 501, {{0.95, {1}, 1e-2}}));
+  EXPECT_EQ(begins_late[1].presence, Presence::not_covered);
+  const auto over_the_start = regions_of({{0.32, {1}, 1e-2},
+                                          {0.45, {motion_class::kNone}, kNotANumber},
+                                          {0.62, {1}, 1e-2},
+                                          {0.75, {motion_class::kNone}, kNotANumber},
+                                          {0.95, {1}, 1e-2}});
+  EXPECT_EQ(over_the_start[1].presence, Presence::not_covered);
+  EXPECT_EQ(over_the_start[3].presence, Presence::not_covered);
+}
+
 TEST(Regions, DoNotMindSinglePointsThatAreNotDone) {
   auto line = line_of(0.05, 901, four_regions());
   for (std::size_t i = 0; i < line.size(); i += 10) {
