@@ -26,10 +26,13 @@ std::string sentence_of(const LineSignature& line, int blades) {
     }
     if (sign.false_signs > 0) wrong.push_back(fmt::format("{} {}", names[i], sign.false_signs));
   }
-  auto text =
-      passes ? fmt::format("{} passed at Ω = {:.3f}: {}", millimetres(line.limit), line.limit_speed_ratio,
-                           standing.empty() ? "no sign before" : fmt::format("{}", fmt::join(standing, ", ")))
-             : fmt::format("{} never passed", millimetres(line.limit));
+  auto text = fmt::format("{} never passed", millimetres(line.limit));
+  if (passes) {
+    const bool judged = line.passing_is_seen && std::ranges::any_of(line.signs, &Announcement::is_judged);
+    if (standing.empty()) standing.emplace_back(judged ? "no sign before" : "signs before are not covered");
+    text = fmt::format("{} passed at Ω = {:.3f}{}: {}", millimetres(line.limit), line.limit_speed_ratio,
+                       line.passing_is_seen ? "" : " at the latest", fmt::join(standing, ", "));
+  }
   if (!wrong.empty()) text += fmt::format("; false signs: {}", fmt::join(wrong, ", "));
   return text + ".";
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -50,9 +51,12 @@ class Course {
   std::vector<double> log_;     ///< NaN where not known
 };
 
+/// What a sign that stands at the end of the points tells.
+enum class Ending : std::uint8_t { limit_is_passed, limit_is_kept, not_covered };
+
 /// Signs among the points below `end`, each held against the level from which it was raised.
 Announcement announcement(std::span<const double> speed_ratio, const Course& course, std::size_t end,
-                          bool passes) {
+                          Ending ending) {
   Announcement found;
   double undisturbed = kNotANumber;  // below the sign that stands
   for (std::size_t i = 0; i < end; ++i) {
@@ -62,14 +66,19 @@ Announcement announcement(std::span<const double> speed_ratio, const Course& cou
       if (level - undisturbed >= std::log(kSignRise)) continue;
       undisturbed = kNotANumber;
       ++found.false_signs;
-    } else if (const double below = course.level(i, true); level - below >= std::log(kSignRise)) {
+      continue;
+    }
+    const double below = course.level(i, true);
+    if (std::isnan(below)) continue;
+    found.is_judged = true;
+    if (level - below >= std::log(kSignRise)) {
       undisturbed = below;
       found.speed_ratio = speed_ratio[i];
     }
   }
   const bool stands = !std::isnan(undisturbed);
-  if (stands && passes) return found;
-  if (stands) ++found.false_signs;
+  if (stands && ending == Ending::limit_is_passed) return found;
+  if (stands && ending == Ending::limit_is_kept) ++found.false_signs;
   found.speed_ratio = kNotANumber;
   return found;
 }
@@ -108,9 +117,13 @@ LineSignature find_signs(const SignLine& line, double limit, SpeedScale scale) {
   const bool passes = beyond != line.displacement.end();
   const auto end = static_cast<std::size_t>(beyond - line.displacement.begin());
   if (passes) found.limit_speed_ratio = line.speed_ratio[end];
+  found.passing_is_seen = passes && end > 0 && line.displacement[end - 1] <= limit;
+  const Ending ending = found.passing_is_seen ? Ending::limit_is_passed
+                        : passes              ? Ending::not_covered
+                                              : Ending::limit_is_kept;
   const auto announced_by = [&](std::span<const double> heights) {
     const Course course(line.speed_ratio, heights, kSeenShareOfLimit * limit, scale);
-    return announcement(line.speed_ratio, course, end, passes);
+    return announcement(line.speed_ratio, course, end, ending);
   };
   for (std::size_t sign = 0; sign < kSignNames.size(); ++sign) {
     std::vector<double> heights;

@@ -49,6 +49,7 @@ struct Announcement {
   double speed_ratio =
       kNotANumber;              ///< Ω [-] at which the sign was raised that stands at the limit; NaN: none
   std::size_t false_signs = 0;  ///< raised and withdrawn before, or with no passing of the limit after it
+  bool is_judged = false;       ///< levels that could show a sign are known somewhere below the limit
 };
 
 struct LineSignature {
@@ -56,6 +57,8 @@ struct LineSignature {
   double limit_speed_ratio = kNotANumber;  ///< first Ω [-] at which the displacement is beyond it; NaN: never
   std::array<Announcement, kSignNames.size()> signs{};
   Announcement displacement{};  ///< the same rule on the displacement itself, for comparison
+  /// The point right below the passing is known and below the limit: else the limit may be passed earlier.
+  bool passing_is_seen = false;
 
   /// Ω [-] of the earliest sign that stands at the limit; NaN where none does.
   [[nodiscard]] double announced() const;

@@ -291,6 +291,21 @@ TEST_F(Analyse, SaysBeforeWhichLimitSignsWereFoundLineByLine) {
   EXPECT_NEAR(other.signatures[0].limit_speed_ratio, 0.3, 1e-9);
 }
 
+TEST_F(Analyse, SaysThatSignsAreNotCoveredWhereNothingIsKnownBelowTheLimit) {
+  const auto scene = with(kScene, R"("max_displacement"])", R"("max_displacement", "spectrum"])");
+  write_atlas(file("atlas.h5"), scene, [](const plan::PointParameters& at) {
+    const bool starts_beyond = at.damping_ratio < 0.2;
+    if (!starts_beyond && at.speed_ratio < 0.355) return PrescribedPoint{motion_class::kNone};
+    return PrescribedPoint{1, starts_beyond || at.speed_ratio > 0.395 ? 8e-3 : 1e-4};
+  });
+  const auto text = on_one_line(run("atlas.h5"));
+  EXPECT_NE(text.find("ζ = 0.1: 5 mm passed at Ω = 0.050 at the latest: signs before are not covered."),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("ζ = 0.3: 5 mm passed at Ω = 0.400: signs before are not covered."), std::string::npos)
+      << text;
+}
+
 TEST_F(Analyse, SaysNothingOfSignsOnALineWithoutAPoint) {
   const auto scene = with(kScene, R"("max_displacement"])", R"("max_displacement", "spectrum"])");
   const auto said = [&](const std::string& name, double least_damping) {

@@ -130,6 +130,29 @@ TEST(Signature, AMotionThatLeavesTheModelIsBeyondEveryLimitAndUnknownPointsAreLe
   EXPECT_EQ(found.limit, 1.0);
 }
 
+TEST(Signature, ALimitThatIsPassedBehindUnknownPointsMayBePassedEarlier) {
+  const auto height = [](double speed) { return speed < 0.3 ? 1e-5 : 1e-3; };
+  for (const double first : {0.0, 0.35}) {  // beyond the limit from the first point on, or behind a gap
+    const auto found = signs_of(height, [&](double speed) {
+      return speed < first ? 5e-4 : speed < 0.4005 && first > 0.0 ? kNotANumber : 2e-3;
+    });
+    EXPECT_NEAR(found.limit_speed_ratio, first > 0.0 ? 0.401 : 0.1, 1e-9);
+    EXPECT_FALSE(found.passing_is_seen);
+    EXPECT_TRUE(std::isnan(found.announced()));
+    EXPECT_EQ(found.signs[kPassing].false_signs, 0U) << "the limit may be passed right above the sign";
+  }
+}
+
+TEST(Signature, NoSignIsJudgedWhereNoTwoMeansAreKnownBelowTheLimit) {
+  const auto displacement = [](double speed) { return speed < 0.4005 ? 5e-4 : 2e-3; };
+  const auto flat = signs_of([](double) { return 1e-5; }, displacement);
+  EXPECT_TRUE(flat.passing_is_seen);
+  EXPECT_TRUE(flat.signs[kPassing].is_judged);
+  const auto late = signs_of([](double speed) { return speed < 0.37 ? kNotANumber : 1e-5; }, displacement);
+  EXPECT_TRUE(late.passing_is_seen);
+  EXPECT_FALSE(late.signs[kPassing].is_judged);
+}
+
 TEST(DisplacementLimit, HasAUnitOrIsInClearances) {
   settings::Scene scene;
   EXPECT_NEAR(parse_limit("0.5 mm")->metres(scene), 5e-4, 1e-18);
