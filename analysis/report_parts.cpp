@@ -4,13 +4,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <complex>
 #include <iterator>
 #include <map>
 #include <utility>
 
 #include "analysis/rules/attractors.hpp"
 #include "analysis/rules/evidence_text.hpp"
+#include "analysis/rules/free_shaft.hpp"
+#include "analysis/rules/scene_tolerances.hpp"
 #include "analysis/rules/starts.hpp"
+#include "plan/grid.hpp"
+#include "plan/scene_of_line.hpp"
 #include "settings/effects/list.hpp"
 #include "settings/quantity.hpp"
 
@@ -208,6 +213,22 @@ std::string contact_law_text(const settings::Scene& scene) {
   return fmt::format("elastic_ring, {:g}{} N/m (rigid blades, yielding ring)", stiffness.front(), range);
 }
 
+/// The largest deflection under constant loads [m] of the lines on which it is not small; 0 where there are
+/// none.
+double largest_sag(const settings::Scene& scene) {
+  constexpr double kSmall = 0.1;  // beside the clearance
+  if (!scene.gravity && !scene.side_load) return 0.0;
+  const plan::Grid grid(scene);
+  double largest = 0.0;
+  for (std::size_t number = 0; number < grid.line_count(); ++number) {
+    const auto at = grid.parameters(grid.point(number, 0));
+    const auto line = plan::scene_of_line(scene, at);
+    const double sag = std::abs(FreeShaft(line, at.speed_ratio).deflection());
+    if (sag > kSmall * length_scale(line)) largest = std::max(largest, sag);
+  }
+  return largest;
+}
+
 }  // namespace
 
 std::vector<std::string> notes_on_effects(const settings::Scene& scene) {
@@ -221,6 +242,12 @@ std::vector<std::string> notes_on_effects(const settings::Scene& scene) {
     notes.emplace_back(
         "Ω ramps, so that no motion repeats itself: aperiodic and unresolved points, and their regions, are "
         "run-ups, and tell nothing of motions at constant speed");
+  if (const double sag = largest_sag(scene); sag > 0.0)
+    notes.push_back(fmt::format(
+        "f, the static sag, is up to {} and part of the displacement from the unloaded equilibrium, in which "
+        "regions and triggers are sought: a trigger, and region 1 below it, that is said to be absent may be "
+        "there",
+        millimetres(sag)));
   return notes;
 }
 

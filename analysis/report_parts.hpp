@@ -12,8 +12,9 @@
 
 namespace rubatlas::analysis {
 
-/// What effects of a scene keep the rules from finding: they do not follow the stiffness of a support, and
-/// are those of motions at constant speed. Sentences without their full stop.
+/// What effects of a scene keep the rules from finding: they do not follow the stiffness of a support, are
+/// those of motions at constant speed, and do not see a trigger beside a large static sag. Sentences without
+/// their full stop.
 std::vector<std::string> notes_on_effects(const settings::Scene& scene);
 
 /// Short sentences on what was examined: contact law, grid, points, classes.

@@ -158,6 +158,18 @@ TEST(Notes, RunUpsHaveNoRegionsOfMotionsAtConstantSpeed) {
   EXPECT_EQ(notes(R"("speed_ramp": {"rate": 0})").find(words), std::string::npos);
 }
 
+TEST(Notes, AStaticSagThatIsNotSmallBesideTheClearanceHidesTriggers) {
+  const std::string words = "f, the static sag, is up to ";
+  EXPECT_NE(notes(R"("side_load": {"force": 0.5})").find(words + "5 mm"), std::string::npos);
+  EXPECT_NE(
+      notes(
+          R"("gravity": {"acceleration": 0.1}, "side_load": {"force": 0.4, "direction": -1.5707963267948966})")
+          .find(words + "5 mm"),
+      std::string::npos);
+  EXPECT_EQ(notes(R"("side_load": {"force": 0.05})").find(words), std::string::npos);
+  EXPECT_EQ(notes(R"("unbalance": {"moment": 1e-4})").find(words), std::string::npos);
+}
+
 TEST(Notes, TheReportOfAnAtlasSaysWhatEffectsKeepItFromFinding) {
   const Workplace place;
   static_cast<void>(
