@@ -73,12 +73,15 @@ double limit_of(const settings::Axis& axis, double limit, std::string_view optio
       fmt::format("{} {}: {} is a number in {}", option, limit, axis.name, axis.quantity->range.text()));
 }
 
-std::string sentence_of(const branch::Event& event, std::string_view name) {
+std::string sentence_of(const branch::Event& event, std::string_view name, int blades) {
   const double value = event.orbit.quantities.front();
   std::string text = fmt::format("{} at {} = {:.10g}", branch::word_of(event.kind), name, value);
   constexpr double kLastDigit = 1e-10;  // of the value
   if (event.uncertainty > kLastDigit * std::abs(value)) text += fmt::format(" ± {:.1g}", event.uncertainty);
   text += fmt::format(", period {}", event.orbit.period);
+  const int whole = event.orbit.period * blades;
+  if (event.orbit.passings < whole)
+    text += fmt::format(", repeated after {} of {} blade passings", event.orbit.passings, whole);
   if (event.kind == branch::EventKind::grazing) {
     text += event.side == observables::GrazingSide::receding ? ", on the receding side"
                                                              : ", on the approaching side";
@@ -133,16 +136,16 @@ std::optional<CurveRequest> curve_request(const BranchCommand& command,
   return CurveRequest{*kind, in, varied(axes[in], in, parameters[in], command.within)};
 }
 
-/// The event of a kind, of an orbit of at least that period, that lies nearest to where the branch was begun;
-/// null: there is none.
+/// The event of a kind, of an orbit of at least so many passings of blades, that lies nearest to where the
+/// branch was begun; null: there is none.
 const branch::Event* nearest_event(const std::vector<branch::Event>& events, branch::EventKind kind,
-                                   double value, int least_period = 1) {
+                                   double value, int least_passings = 1) {
   const branch::Event* nearest = nullptr;
   const auto distance = [&](const branch::Event& event) {
     return std::abs(event.orbit.quantities.front() - value);
   };
   for (const branch::Event& event : events) {
-    if (event.kind != kind || event.orbit.period < least_period) continue;
+    if (event.kind != kind || event.orbit.passings < least_passings) continue;
     if (nearest == nullptr || distance(event) < distance(*nearest)) nearest = &event;
   }
   return nearest;
@@ -221,17 +224,19 @@ int follow_branch(const BranchCommand& command) {
   contents.branches.reserve(2);  // `events` stay where they are
   contents.branches.push_back(std::move(followed));
   const std::vector<branch::Event>& events = contents.branches.front().events;
-  for (const branch::Event& event : events) say_sentence(sentence_of(event, command.along));
+  for (const branch::Event& event : events)
+    say_sentence(sentence_of(event, command.along, scene.blades.count));
 
   if (command.doubled) {
-    // The branch's own end is the doubling of an orbit of half its period, which leads back to it.
+    // The branch's own end is the doubling of an orbit of half its passings, which leads back to it.
     const branch::Event* doubling =
-        nearest_event(events, branch::EventKind::period_doubling, value, start->period);
+        nearest_event(events, branch::EventKind::period_doubling, value, start->passings);
     if (doubling == nullptr)
       throw UsageError("--switch: no period doubling among the orbits that were followed to switch at");
     auto doubled = continuation.follow_doubled(*doubling, most);
     if (!doubled) throw UsageError("--switch: the branch of doubled period could not be found");
-    for (const branch::Event& event : doubled->events) say_sentence(sentence_of(event, command.along));
+    for (const branch::Event& event : doubled->events)
+      say_sentence(sentence_of(event, command.along, scene.blades.count));
     say_where_it_stopped(*doubled, command.along, end);
     contents.branches.push_back(std::move(*doubled));
   }
@@ -246,7 +251,8 @@ int follow_branch(const BranchCommand& command) {
     branch::Branch found = branch::follow_curve(both, curve->kind, from, most);
     if (found.orbits.empty()) throw UsageError("--curve: the curve could not be followed from there");
     say_where_it_stopped(found, command.along, "an end of the curve");
-    for (const branch::Event& lost : found.events) say_sentence(sentence_of(lost, command.along));
+    for (const branch::Event& lost : found.events)
+      say_sentence(sentence_of(lost, command.along, scene.blades.count));
     contents.quantities.push_back(axes[curve->in].quantity);
     contents.curve_of = curve->kind;
     contents.branches = {std::move(found)};

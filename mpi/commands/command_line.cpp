@@ -192,7 +192,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       ->type_name("VALUE");
   branch->add_flag("--both", branch_command.both, "As far to the other side, too");
   branch->add_flag("--switch", branch_command.doubled,
-                   "At the period doubling nearest to --from follow the branch of twice the period, too");
+                   "At the period doubling nearest to --from follow the branch of twice the period, in blade "
+                   "passings, too");
   branch
       ->add_option("--curve", branch_command.curve,
                    "Follow the bifurcation of this kind that is nearest to --from in two quantities: fold, "

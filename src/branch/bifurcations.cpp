@@ -11,9 +11,8 @@ namespace rubatlas::branch {
 
 double test_function(EventKind kind, const Orbit& orbit) {
   if (kind == EventKind::fold) return (orbit.forward - orbit.backward).determinant();
-  // A multiplier between cuts of which an even number make a period is positive there, where it is real.
-  if (kind == EventKind::period_doubling)
-    return orbit.cuts % 2 == 0 ? 1.0 : (orbit.forward + orbit.backward).determinant();
+  // From cut to cut: where an even number of them make a period, the multiplier over that passes +1.
+  if (kind == EventKind::period_doubling) return (orbit.forward + orbit.backward).determinant();
   // Of all pairs of multipliers the product of μi μj − 1: real, since complex ones come in pairs.
   const Eigen::Vector4cd& multipliers = orbit.multipliers;
   std::complex<double> product = 1.0;
@@ -73,17 +72,16 @@ void add_bifurcations(Corrector& corrector, const OnBranch& from, const OnBranch
     find(kind, [kind](const OnBranch& state) { return test_function(kind, state.orbit); });
 }
 
-namespace {
-
-/// By how much the motion differs, half of the period later, from where it starts [scaled]; zero where the
-/// period is odd.
 Eigen::Vector4d half_a_period_on(Shooting& shooting, const Orbit& orbit) {
-  if (orbit.period % 2 != 0 || !orbit.admissible) return Eigen::Vector4d::Zero();
+  const std::optional<int> passings = shooting.half_of_passings();
+  if (!passings || !orbit.admissible) return Eigen::Vector4d::Zero();
   const Unknowns start = shooting.scaled(orbit.section, orbit.quantities);
-  const point::SectionMap half = shooting.follow(start, orbit.period / 2);
+  const point::SectionMap half = shooting.follow(start, *passings);
   if (half.status != ending::PointStatus::done) return Eigen::Vector4d::Zero();
   return (shooting.scaled(half.sections.back(), orbit.quantities) - start).head<4>();
 }
+
+namespace {
 
 /// The period doubling of an orbit near to one of two places on its branch, by secants over the first
 /// quantity.
@@ -119,15 +117,15 @@ std::optional<Event> halving(Corrector& corrector, const OnBranch& from, const O
   Shooting& shooting = corrector.shooting();
   const Eigen::Vector4d difference = half_a_period_on(shooting, from.orbit);
   if (!(half_a_period_on(shooting, to.orbit).dot(difference) < 0.0)) return std::nullopt;
-  // The orbit of half the period lies in the middle, and is cut at phase 0.
+  // The orbit of half the passings lies in the middle, and is cut at phase 0.
   Unknowns middle = shooting.scaled(from.orbit.section, from.orbit.quantities);
   middle.head<4>() += 0.5 * difference;
-  const int period = shooting.period();
+  const int passings = shooting.passings();
   const auto cut = shooting.cut();
   shooting.cut_at_section();
-  shooting.set_period(period / 2);
+  shooting.set_passings(passings / 2);
   auto doubling = doubling_near(corrector, middle, to.at[4]);
-  shooting.set_period(period);
+  shooting.set_passings(passings);
   if (cut) shooting.cut_at(*cut);
   return doubling;
 }

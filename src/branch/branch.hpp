@@ -20,7 +20,8 @@ struct Orbit {
   motion::SectionState section{};  ///< at phase 0: x, y [m], x', y' [m per unit τ]
   std::vector<double> quantities;  ///< that vary, in their units
   int period = 1;                  ///< in revolutions
-  point::SectionMap map;           ///< over the period, from where the orbit is cut
+  int passings = 1;                ///< of blades, after which the section repeats itself
+  point::SectionMap map;           ///< from where the orbit is cut to the next cut
   Eigen::Vector4d mismatch;        ///< by how much it does not close [clearances, and clearances per unit τ]
   bool admissible = true;          ///< every tip that touches does so where the orbit says
   Eigen::Vector4cd multipliers;    ///< Floquet, the largest first
@@ -35,7 +36,7 @@ struct Orbit {
 
 enum class EventKind : std::uint8_t {
   fold = 1,             ///< a multiplier passes +1, and the branch turns back
-  period_doubling = 2,  ///< a multiplier passes −1
+  period_doubling = 2,  ///< a multiplier from cut to cut passes −1
   neimark_sacker = 3,   ///< a pair of complex multipliers passes the unit circle
   grazing = 4,          ///< a tip that passes touches, or a contact vanishes
   lost = 5              ///< the branch cannot be followed beyond, and it is none of these

@@ -22,7 +22,7 @@ std::optional<Orbit> Continuation::settle(const motion::SectionState& initial,
 Branch Continuation::follow(const Orbit& from, double direction, std::size_t most) {
   Unknowns along = Unknowns::Zero(shooting_->size());
   along[4] = direction;
-  shooting_->set_period(from.period);
+  shooting_->set_passings(from.passings);
   shooting_->cut_at_section();
   const auto state = corrector_.correct(shooting_->scaled(from.section, from.quantities), along);
   if (!state) return {};

@@ -69,7 +69,7 @@ class Curve {
 }  // namespace
 
 Branch follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::size_t most) {
-  shooting.set_period(from.period);
+  shooting.set_passings(from.passings);
   shooting.cut_at_section();
   Curve curve(shooting, kind);
   Unknowns along = Unknowns::Zero(shooting.size());

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "branch/bifurcations.hpp"
 #include "integrate/decompositions.hpp"
 
 namespace rubatlas::branch {
@@ -11,10 +13,12 @@ std::optional<Orbit> settled_orbit(Corrector& corrector, const motion::SectionSt
                                    const std::vector<double>& quantities, int transient_revolutions) {
   Shooting& shooting = corrector.shooting();
   constexpr int kLongestPeriod = 16;
-  constexpr double kNear = 1e-3;  // of the clearance: close enough for Newton's method to be tried
+  constexpr double kNear = 1e-3;   // of the clearance: close enough for Newton's method to be tried
+  constexpr double kAlike = 1e-6;  // but for rounding
   shooting.cut_at_section();
   Unknowns at = shooting.scaled(initial, quantities);
-  const point::SectionMap settled = shooting.follow(at, transient_revolutions + kLongestPeriod);
+  const point::SectionMap settled =
+      shooting.follow(at, (transient_revolutions + kLongestPeriod) * shooting.scene().blades.count);
   if (settled.status != ending::PointStatus::done) return std::nullopt;
   const auto from_end = [&](int back) {
     return shooting.scaled(settled.sections[settled.sections.size() - 1 - static_cast<std::size_t>(back)],
@@ -27,7 +31,20 @@ std::optional<Orbit> settled_orbit(Corrector& corrector, const motion::SectionSt
     shooting.set_period(period);
     Unknowns plane = Unknowns::Zero(shooting.size());
     plane[4] = 1.0;  // the first quantity stays
-    if (const auto found = corrector.correct(last, plane)) return found->orbit;
+    auto found = corrector.correct(last, plane);
+    if (!found) continue;
+    // Blades that are alike: the motion may repeat itself before the revolution is over.
+    while (shooting.half_of_passings() && half_a_period_on(shooting, found->orbit).norm() < kAlike) {
+      const int passings = shooting.passings();
+      shooting.set_passings(passings / 2);
+      auto shorter = corrector.correct(found->at, plane);
+      if (!shorter) {
+        shooting.set_passings(passings);
+        break;
+      }
+      found = std::move(shorter);
+    }
+    return found->orbit;
   }
   return std::nullopt;
 }
@@ -35,7 +52,7 @@ std::optional<Orbit> settled_orbit(Corrector& corrector, const motion::SectionSt
 std::optional<OnBranch> doubled_orbit(Corrector& corrector, const Event& doubling) {
   Shooting& shooting = corrector.shooting();
   shooting.cut_at_section();
-  shooting.set_period(doubling.orbit.period);
+  shooting.set_passings(doubling.orbit.passings);
   const Unknowns at = shooting.scaled(doubling.orbit.section, doubling.orbit.quantities);
   const auto single = shooting.orbit(at);
   if (!single) return std::nullopt;
@@ -47,16 +64,13 @@ std::optional<OnBranch> doubled_orbit(Corrector& corrector, const Event& doublin
   Unknowns along = Unknowns::Zero(shooting.size());
   along.head<4>() = modes.shapes.col(nearest).real();
   along.normalize();
-  shooting.set_period(2 * doubling.orbit.period);
+  shooting.set_passings(2 * doubling.orbit.passings);
   // Away from the orbit itself, of which the doubled one is twice the same: too near, Newton's method falls
-  // back onto it.
-  for (const double length : {1e-3, 3e-3, 1e-2, 3e-2}) {
+  // back onto it; too far, a tip may have grazed before.
+  for (const double length : {1e-3, 3e-3, 1e-2, 3e-2, 3e-4, 1e-4}) {
     auto state = corrector.correct(at + length * along, along);
     if (!state) continue;
-    const motion::SectionState& half =
-        state->orbit.map.sections[static_cast<std::size_t>(doubling.orbit.period) - 1];
-    const Unknowns halfway = shooting.scaled(half, state->orbit.quantities);
-    if ((halfway - state->at).head<4>().norm() < 0.1 * length) continue;
+    if (half_a_period_on(shooting, state->orbit).norm() < 0.1 * length) continue;
     if (state->tangent.dot(along) < 0.0) state->tangent = -state->tangent;
     return state;
   }

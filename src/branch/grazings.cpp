@@ -163,7 +163,8 @@ std::optional<OnBranch> Grazings::without_touch(const Event& grazing, const OnBr
       Unknowns at = shooting_->scaled(before.orbit.section, grazing.orbit.quantities);
       at[4] += direction * distance;
       along[4] = direction;
-      if (auto state = corrector_->correct(at, along); state && touches(state->orbit) == remaining)
+      if (auto state = corrector_->correct(at, along);
+          state && state->orbit.cuts * touches(state->orbit) == remaining)
         return state;
     }
   }

@@ -50,13 +50,27 @@ Unknowns Shooting::scaled(const point::TipAtRing& place, const std::vector<doubl
   return result;
 }
 
-std::vector<int> Shooting::passings_of_periods() const {
-  const int blades = scene_.blades.count;
-  const int whole = period_ * blades;
+int Shooting::period() const {
+  return std::lcm(passings_, scene_.blades.count) / scene_.blades.count;
+}
+
+bool Shooting::blades_follow_alike() const {
   const auto varies = [&](const Varied& varied) {
     return settings::axes_of(scene_)[varied.axis].name == "unbalance";
   };
-  if (scene_.unbalance || std::ranges::any_of(varied_, varies)) return {whole};
+  return !scene_.unbalance && std::ranges::none_of(varied_, varies);
+}
+
+std::optional<int> Shooting::half_of_passings() const {
+  const int least = blades_follow_alike() ? 1 : scene_.blades.count;
+  if (passings_ % (2 * least) != 0) return std::nullopt;
+  return passings_ / 2;
+}
+
+std::vector<int> Shooting::passings_of_periods() const {
+  const int blades = scene_.blades.count;
+  const int whole = period() * blades;
+  if (!blades_follow_alike()) return {whole};
   std::vector<int> result;
   for (int passings = 1; passings <= whole; ++passings) {
     if (std::lcm(passings, blades) == whole) result.push_back(passings);
@@ -87,19 +101,26 @@ TouchdownChart Shooting::chart(const Unknowns& at, int blade) {
   return {plan::scene_of_line(scene_, plan::parameters_at(solver_parameters_)), speed_ratio_, blade};
 }
 
-point::SectionMap Shooting::follow(const Unknowns& at, int revolutions) {
+point::SectionMap Shooting::follow(const Unknowns& at, int passings) {
   point::LineSolver& solver = solver_at(at);
-  return solver.section_map(speed_ratio_, section(at), revolutions);
+  const int count = scene_.blades.count;
+  const int revolutions = (passings + count - 1) / count;
+  motion::PointStart start = section(at);
+  const double before = revolutions - static_cast<double>(passings) / count;  // revolutions
+  start.time = before * 2.0 * std::numbers::pi / std::abs(speed_ratio_);
+  return solver.section_map(speed_ratio_, start, revolutions);
 }
 
 std::optional<Shooting::Passage> Shooting::passage(const Unknowns& at) {
   Passage result;
   if (!cut_) {
     result.start = at.head<4>();
-    result.map.map = follow(at, period_);
+    result.map.map = follow(at, passings_);
     result.map.admissible = true;
     if (result.map.map.status != ending::PointStatus::done) return std::nullopt;
     result.map.end = result.map.map.sections.back();
+    result.revolution = period() - static_cast<int>(result.map.map.sections.size());
+    result.passings = passings_;
     return result;
   }
   if (!(at[kApproachSpeed] > 0.0)) return std::nullopt;
@@ -114,11 +135,12 @@ std::optional<Shooting::Passage> Shooting::passage(const Unknowns& at) {
   // Of the touch-downs that follow each other the one before phase 0 of the period: the section is behind it.
   const int count = scene_.blades.count;
   const double turn = std::copysign(2.0 * std::numbers::pi, speed_ratio_);
-  const double whole = period_ * count;  // passings
+  const double whole = period() * count;  // passings
   const double passing = count * (coordinates[0] / turn + cut_->revolution);
   const double later = std::floor((whole - passing) / cut_->passings);
   const double last = passing + later * cut_->passings;
-  result.revolution = std::min(static_cast<int>(last / count), period_ - 1);
+  result.revolution = std::min(static_cast<int>(last / count), period() - 1);
+  result.passings = cut_->passings;
   motion::PointStart start;
   start.state = {state[0], state[1], state[2], state[3]};
   start.time = (last / count - result.revolution) * turn / speed_ratio_;
@@ -138,7 +160,12 @@ std::optional<Orbit> Shooting::orbit(const Unknowns& at) {
   result.mismatch = passage->mismatch(length_);
   result.admissible = passage->map.admissible;
   for (std::size_t i = 0; i < varied_.size(); ++i) result.quantities.push_back(quantity(at, i));
-  result.period = period_;
+  result.period = period();
+  result.passings = passings_;
+  result.cuts = result.period * scene_.blades.count / passage->passings;
+  for (auto* place : {&result.map.nearest_place, &result.map.lightest_place}) {
+    if (*place) (*place)->revolution += passage->revolution;
+  }
   if (!cut_) {
     result.section = section(at);
     result.forward = result.map.jacobian;
@@ -151,13 +178,9 @@ std::optional<Orbit> Shooting::orbit(const Unknowns& at) {
     result.forward =
         result.map.jacobian * (passage->start_by_unknowns - rate(passage->map.rate_at_start) * time);
     result.backward = passage->start_by_unknowns - rate(passage->map.rate_at_end) * time;
-    const auto behind = static_cast<std::size_t>(period_ - 1 - passage->revolution);
+    const auto behind = static_cast<std::size_t>(result.period - 1 - passage->revolution);
     if (behind >= result.map.sections.size()) return std::nullopt;
     result.section = result.map.sections[behind];
-    result.cuts = period_ * scene_.blades.count / cut_->passings;
-    for (auto* place : {&result.map.nearest_place, &result.map.lightest_place}) {
-      if (*place) (*place)->revolution += passage->revolution;
-    }
   }
   result.multipliers =
       integrate::generalised_eigenvalues(result.forward, result.backward).array().pow(result.cuts);

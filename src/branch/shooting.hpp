@@ -1,5 +1,5 @@
-/// Periodic orbits by shooting: the zeros of P^k(z) − z, P the map from section to section, over one or more
-/// of a scene's quantities.
+/// Periodic orbits by shooting: the zeros of P^k(z) − z, P the map from one passing of a blade to the next,
+/// over one or more of a scene's quantities.
 ///
 /// Everything that shooting works with is scaled: states by the clearance, quantities by their own size. The
 /// derivative by the state is the linearised flow's (`variation/tangent_flow.hpp`), that by a quantity comes
@@ -60,8 +60,14 @@ class Shooting {
   [[nodiscard]] Eigen::Index size() const { return 4 + static_cast<Eigen::Index>(varied_.size()); }
   [[nodiscard]] const std::vector<Varied>& varied() const { return varied_; }
   [[nodiscard]] const settings::Scene& scene() const { return scene_; }
-  void set_period(int revolutions) { period_ = revolutions; }
-  [[nodiscard]] int period() const { return period_; }
+  /// Passings of blades after which the motion repeats itself, each blade in the place of another.
+  void set_passings(int passings) { passings_ = passings; }
+  [[nodiscard]] int passings() const { return passings_; }
+  void set_period(int revolutions) { passings_ = revolutions * scene_.blades.count; }
+  /// In revolutions, until the motion repeats itself with each blade in its own place.
+  [[nodiscard]] int period() const;
+  /// Half of the passings, where a motion can repeat itself after them.
+  [[nodiscard]] std::optional<int> half_of_passings() const;
   /// Where orbits are cut open from now on: at phase 0, or at a touch-down.
   void cut_at_section() { cut_.reset(); }
   void cut_at(const TouchdownCut& cut) { cut_ = cut; }
@@ -82,7 +88,7 @@ class Shooting {
   /// All quantities lie where they may go.
   [[nodiscard]] bool in_range(const Unknowns& at) const;
 
-  /// The motion over the period from there; nothing where it leaves the model's validity or has no
+  /// The motion from there to the next cut; nothing where it leaves the model's validity or has no
   /// linearisation, or where a tip that should touch down comes from beyond the ring.
   [[nodiscard]] std::optional<Orbit> orbit(const Unknowns& at);
   /// An orbit closes to 1e-12 of the clearance, but for the rounding of its start: which grows along an
@@ -92,16 +98,18 @@ class Shooting {
   [[nodiscard]] std::optional<Eigen::Matrix<double, 4, Eigen::Dynamic>> derivative(const Unknowns& at,
                                                                                    const Orbit& orbit);
 
-  /// Sections of the motion from a state, at the given quantities.
-  [[nodiscard]] point::SectionMap follow(const Unknowns& at, int revolutions);
+  /// The motion from a section over so many passings of blades, at the given quantities: starts so late in a
+  /// revolution, with another blade in the place of the first, that it ends with a revolution.
+  [[nodiscard]] point::SectionMap follow(const Unknowns& at, int passings);
 
  private:
-  /// A motion over the period from the cut back to it.
+  /// A motion from a cut to the next.
   struct Passage {
     point::TouchdownMap map;  ///< of a motion from phase 0 the end and the section map alone
     Eigen::Vector4d start;    ///< scaled
     Eigen::Matrix4d start_by_unknowns = Eigen::Matrix4d::Identity();
-    int revolution = 0;  ///< of the period, in which it starts
+    int revolution;  ///< of the period, in which it starts
+    int passings;    ///< of blades, to its end
     [[nodiscard]] Eigen::Vector4d mismatch(double length) const {
       return Eigen::Map<const Eigen::Vector4d>(map.end.data()) / length - start;
     }
@@ -114,6 +122,8 @@ class Shooting {
   };
   [[nodiscard]] std::optional<Slope> slope_of_mismatch(const Unknowns& at, Eigen::Index column, double step,
                                                        const std::vector<std::int32_t>& events);
+  /// The blades are alike, and nothing else turns with the rotor.
+  [[nodiscard]] bool blades_follow_alike() const;
   [[nodiscard]] TouchdownChart chart(const Unknowns& at, int blade);
   point::LineSolver& solver_at(const Unknowns& at);
 
@@ -121,7 +131,7 @@ class Shooting {
   std::vector<double> parameters_;
   std::vector<Varied> varied_;
   double length_;  ///< of a scaled state of 1 [m]
-  int period_ = 1;
+  int passings_ = 1;
   std::optional<TouchdownCut> cut_;
   std::shared_ptr<assembly::BladeTables> tables_;
   std::unique_ptr<point::LineSolver> solver_;

@@ -40,8 +40,8 @@ struct PointStart {
   PointStart(const SectionState& from, const Memory& remembered = {}) : state(from), memory(remembered) {}
   SectionState state{};
   Memory memory;  ///< empty: as new
-  // At phase 0, or at a touch-down: `state` is that of the shaft there, as the tip of the blade comes to the
-  // ring.
+  // At phase 0, or where another blade is in the place of the first, or at a touch-down: `state` is that of
+  // the shaft there, as the tip of the blade comes to the ring.
   double time = 0.0;  ///< τ of the first revolution
   int blade = -1;     ///< that touches down, from 0; −1: none
 };

@@ -168,6 +168,65 @@ TEST(Branch, OfPeriodTwoEndsWhereThePeriodOneMotionDoublesItsPeriod) {
   EXPECT_NEAR(end.orbit.quantities[0], doubling->orbit.quantities[0], 1e-10);
 }
 
+TEST(Branch, OfTwoBladesDoublesWhereTheMotionNoLongerRepeatsItselfAtEachPassing) {
+  settings::Scene scene = followed_rotor();
+  scene.blades.count = 2;
+  AlongSpeed one(scene, 1.005, 1.03);
+  ASSERT_TRUE(one.start);
+  EXPECT_EQ(one.start->passings, 1);
+  ASSERT_EQ(one.branch.events.size(), 1U);
+  const branch::Event& doubling = one.branch.events.front();
+  EXPECT_EQ(doubling.kind, EventKind::period_doubling);
+  EXPECT_NEAR(doubling.orbit.quantities[0], 1.014434463, 1e-8);
+  EXPECT_NEAR(std::abs(doubling.orbit.multipliers[0] - 1.0), 0.0, 1e-7) << "(-1)² over the revolution";
+  for (const branch::Orbit& orbit : one.branch.orbits)
+    EXPECT_EQ(orbit.is_stable(), orbit.quantities[0] < doubling.orbit.quantities[0]);
+
+  const auto doubled = one.continuation.follow_doubled(doubling, 5);
+  ASSERT_TRUE(doubled && !doubled->orbits.empty());
+  const branch::Orbit& first = doubled->orbits.front();
+  EXPECT_EQ(first.passings, 2);
+  EXPECT_EQ(first.period, 1);
+  EXPECT_NEAR(first.quantities[0], doubling.orbit.quantities[0], 1e-4);
+
+  const AlongSpeed two(scene, 1.0155, 1.01);
+  ASSERT_TRUE(two.start);
+  EXPECT_EQ(two.start->passings, 2) << "simulations have class 2 per passing there";
+  ASSERT_FALSE(two.branch.events.empty());
+  const branch::Event& end = two.branch.events.back();
+  EXPECT_EQ(end.kind, EventKind::period_doubling);
+  EXPECT_EQ(end.orbit.passings, 1);
+  EXPECT_NEAR(end.orbit.quantities[0], doubling.orbit.quantities[0], 1e-10);
+}
+
+TEST(Branch, OfAnEvenNumberOfBladesIsTheSameMotionOverWholeRevolutions) {
+  for (const auto& [count, from, to] : {std::tuple{2, 0.5, 0.72}, std::tuple{4, 0.517, 0.519}}) {
+    settings::Scene scene = followed_rotor();
+    scene.blades.count = count;
+    const AlongSpeed along(scene, from, to);
+    ASSERT_TRUE(along.start);
+    EXPECT_LT(along.start->passings, count);
+    EXPECT_FALSE(along.branch.events.empty()) << "a grazing, a doubling";
+    const auto solver = solver_of(scene);
+    int compared = 0;
+    for (const branch::Orbit& orbit : along.branch.orbits) {
+      const auto map = solver->section_map(orbit.quantities[0], orbit.section, orbit.period);
+      const double growth = std::max(1.0, map.jacobian.norm());
+      if (!orbit.admissible || growth > 1e6) continue;
+      ++compared;
+      for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_NEAR(map.sections.back()[i], orbit.section[i], 1e-11 * 0.01 * growth) << orbit.quantities[0];
+      const auto values = integrate::eigen_modes(map.jacobian).values;
+      const double largest = values.cwiseAbs().maxCoeff();
+      // Beside a grazing the square root of what rounding moves.
+      EXPECT_NEAR(largest / std::abs(orbit.multipliers[0]), 1.0, 1e-3) << orbit.quantities[0];
+      EXPECT_EQ(std::ranges::count_if(map.events, [](int event) { return event > 0; }),
+                orbit.cuts * std::ranges::count_if(orbit.map.events, [](int event) { return event > 0; }));
+    }
+    EXPECT_GT(compared, 5);
+  }
+}
+
 TEST(Branch, AnOrbitIsTheSameWhereverItIsCut) {
   const settings::Scene scene = followed_rotor();
   branch::Shooting shooting(scene, AlongSpeed::parameters(scene, 0.62),
