@@ -29,8 +29,9 @@ void ContactArc::begin(double time, const rotor::ShaftAndRing& bodies, std::span
   const rotor::State seen = rotor::from_ring(bodies);
   if (!(std::hypot(seen[0], seen[1] + whole_->constants.misalignment) < machine().ring_radius))
     ending_.guard = Guard::shaft_at_ring;
-  else if (std::ranges::any_of(
-               tips_, [this](const BladeStart& tip) { return tip.at_start.shortening > max_shortening_; }))
+  else if (std::ranges::any_of(tips_, [](const BladeStart& tip) {
+             return tip.at_start.shortening > tip.blade->valid_shortening;
+           }))
     ending_.guard = Guard::shortening_limit;
 }
 

@@ -118,7 +118,7 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
   const double tangential = y * interval.blade[0] - x * interval.blade[1];
   const double distance = std::sqrt(x * x + y * y);
   const double farthest = distance + bounds_.moved;
-  const double outwards = bounds_.moved + distance * (blades_->speed_bound() * bounds_.latest);
+  const double outwards = bounds_.moved + distance * (whole_->blades.speed_bound() * bounds_.latest);
   const auto stays_far_off = [&](int blade) {
     const auto [cosine, sine] = offset_of(blade);
     const Blade& tip = numbers(blade);

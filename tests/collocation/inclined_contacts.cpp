@@ -105,7 +105,7 @@ InclinedSurvey survey(int wanted, double tolerance, LoadDirection direction, Mak
     for (std::size_t i = 0; i < std::min(contacts.size(), kMostOfOneRotor); ++i) {
       const auto& [start, end] = contacts[i];
       const contact::Pose at = pose_at(m, start.blade, start.time, start.state);
-      const auto touch = law.in_equilibrium({start.blade, start.slip, 0.0}, {at, m.rotor.speed_ratio});
+      auto touch = law.in_equilibrium({start.blade, start.slip, 0.0}, {at, m.rotor.speed_ratio});
       blade::Bend bend{};
       contact::TipForce force{};
       const bool stands = m.law.respond(at, start.slip, m.rotor.speed_ratio, bend, force);
