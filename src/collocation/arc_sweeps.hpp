@@ -137,13 +137,11 @@ class ArcSweeps {
   }
   static Vector quarter_turned(const Vector& vector) { return {vector.y * -1.0, vector.x}; }
 
-  [[nodiscard]] double length() const {
-    return std::max(std::abs(interval_.chord.argument), interval_.chord.time);
-  }
   /// Of the last step. `step_before`: of the sweep before.
   [[nodiscard]] bool is_close_enough(double step_before) const {
     constexpr double kHardlyFalls = 0.5;  // what hardly falls is rounding
-    return largest_step_ <= closeness_.step * length() || largest_step_ > kHardlyFalls * step_before;
+    const double length = std::max(std::abs(interval_.chord.argument), interval_.chord.time);
+    return largest_step_ <= closeness_.step * length || largest_step_ > kHardlyFalls * step_before;
   }
   /// Sweeps until what is left is below the tolerance. False where it does not become so. `full`: so many
   /// sweeps have slopes of their own.
@@ -165,8 +163,7 @@ class ArcSweeps {
         sweeps.store();
         return true;
       }
-      const bool known = interval_.sweeps >= full || (full < most && largest_step_ < kLittleStep * length());
-      light = known && change < kConverging * before;
+      light = interval_.sweeps >= full && change < kConverging * before;
       before = change;
       ratio_before = ratio;
       step_before = largest_step_;
@@ -345,8 +342,6 @@ class ArcSweeps {
   }
 
   static constexpr double kConverging = 0.25;  ///< ratio of changes below which slopes may be kept
-  /// Of the interval's length: after steps that are shorter slopes may be kept, too.
-  static constexpr double kLittleStep = 0.01;
   static constexpr double kFirstChange = std::numeric_limits<double>::infinity();
   static constexpr double kUnbent = 1e-9;  ///< Δ/L: below it δ/Δ is less than rounding
   /// Of Newton's steps: the next would be of its square. Velocities alone do not tell, where a blade is so
