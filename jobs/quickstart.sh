@@ -41,14 +41,15 @@ if [ -t 2 ]; then progress=bar; fi
 . jobs/mpi_environment.sh
 . jobs/complete_atlas.sh
 program=build/rubatlas
+again="./jobs/quickstart.sh $(printf %q "$scene")"
 run_code=0
 complete_atlas "$scene" "$atlas" "$progress" mpirun -n "$(nproc)" --oversubscribe --bind-to none || run_code=$?
 case $run_code in
   0) ;;
   10) echo "Some points could not be integrated; the atlas says which, in /status." ;;
-  75 | 129 | 130 | 143) echo "Stopped; to go on from here: ./jobs/quickstart.sh $(printf %q "$scene")" && exit "$run_code" ;;
+  75 | 129 | 130 | 143) echo "Stopped; to go on from here: $again" && exit "$run_code" ;;
   *)
-    echo "quickstart.sh: the run ended with exit code $run_code; to go on: ./jobs/quickstart.sh $(printf %q "$scene")" >&2
+    echo "quickstart.sh: the run ended with exit code $run_code; to go on: $again" >&2
     exit "$run_code"
     ;;
 esac

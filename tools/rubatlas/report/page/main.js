@@ -51,7 +51,9 @@ function readPlace(text, refuse) {
     else if (!(Number.isFinite(wanted) && wanted >= all[0] - close && wanted <= all[all.length - 1] + close)) {
       refuse(`${axis.name}=${value} is outside ${all[0]} to ${all[all.length - 1]}`);
     } else {
-      if (Math.abs(all[nearest] - wanted) > close) refuse(`${axis.name}=${value} is between points; the nearest is ${all[nearest]}`);
+      if (Math.abs(all[nearest] - wanted) > close) {
+        refuse(`${axis.name}=${value} is between points; the nearest is ${all[nearest]}`);
+      }
       state.place[i] = nearest;
     }
   }
