@@ -302,7 +302,9 @@ class AtlasQuestions(WithFolder):
             touching = file["contact_fraction"][0, 0, 0] > 0.0
         np.testing.assert_array_equal(self.atlas["contact"] == "contact", touching & (self.status == 1))
         self.assertEqual(self.atlas.contacts.dims, ("damping_ratio",))
-        self.assertEqual(list(self.atlas.contacts), ["contact at every speed"] * 3)
+        left = (self.status != 1).sum(axis=1)
+        self.assertEqual(list(self.atlas.contacts.values), ["contact at every speed" + (
+            f"; {speeds} speeds are not done" if speeds else "") for speeds in left])
         self.assertEqual(self.atlas.line(damping_ratio=0.1).contacts.item(), "contact at every speed")
 
     def test_xarray_opens_every_group_of_the_maps(self):
