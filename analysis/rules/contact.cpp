@@ -119,7 +119,9 @@ ContactSummary summarise_contact(const Line& line) {
                     known.empty() ? "" : fmt::format(" at {} speeds", found.not_known)));
   }
   // A motion that has left the model may have touched there.
-  if (!known.empty() && not_done > 0) parts.push_back(fmt::format("{} speeds are not done", not_done));
+  if (!known.empty() && not_done > 0)
+    parts.push_back(
+        fmt::format("{} not done", not_done == 1 ? "1 speed is" : fmt::format("{} speeds are", not_done)));
   found.text = fmt::format("{}", fmt::join(parts, "; "));
   return found;
 }

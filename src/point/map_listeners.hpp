@@ -112,7 +112,8 @@ class Returning final : public modes::MotionListener {
   }
   void piece(trajectory::MotionPiece& piece) override {
     if (!begun_) {
-      rate_at_start_ = flow_->rate(start_.time, start_.state, flow_->force_in(piece, piece.begin()));
+      rate_at_start_ =
+          flow_->rate(start_.time, start_.state, variation::TangentFlow::force_in(piece, piece.begin()));
       begun_ = true;
     }
     mapping_.piece(piece);

@@ -177,6 +177,7 @@ TEST(Contact, ALineSaysWhereBladesFirstTouchOrHowCloseTheyCome) {
   EXPECT_EQ(sentence("----------"), "no contact; closest 0.38 mm at Ω = 0.7");
   EXPECT_EQ(sentence("cccccccccc"), "contact at every speed");
   EXPECT_EQ(sentence("ccccccccxx"), "contact at every speed; 2 speeds are not done");
+  EXPECT_EQ(sentence("cccccccccx"), "contact at every speed; 1 speed is not done");
   EXPECT_EQ(sentence("----cccccc"), "first contact at Ω = 0.5; elsewhere closest 3.38 mm at Ω = 0.4");
   EXPECT_EQ(
       sentence("cccc------"),

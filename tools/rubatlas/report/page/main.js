@@ -174,6 +174,7 @@ async function compute() {
     byId('from-initial').hidden = true;
     if (!wanted) {
       view.showComputed(null);
+      byId('answer-time').textContent = '';
       byId('own-status').textContent =
         'The atlas has no motion in this cell; a start from the initial state shows what ends it.';
       byId('from-initial').hidden = false;
