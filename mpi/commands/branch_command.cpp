@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -17,6 +19,7 @@
 #include "branch/curve.hpp"
 #include "mpi/commands/place.hpp"
 #include "mpi/exit_code.hpp"
+#include "mpi/job/signals.hpp"
 #include "mpi/say.hpp"
 #include "mpi/version.hpp"
 #include "plan/grid.hpp"
@@ -89,12 +92,41 @@ std::string sentence_of(const branch::Event& event, std::string_view name, int b
   return text;
 }
 
-/// A branch that `--points` has ended says where; `end` is where it would have ended else.
-void say_where_it_stopped(const branch::Branch& branch, std::string_view name, std::string_view end) {
-  if (!branch.goes_on) return;
-  say_sentence(fmt::format("stopped after {} orbits at {} = {:.10g}, before {}; a larger --points goes on",
-                           branch.orbits.size(), name, branch.orbits.back().quantities.front(), end));
-}
+/// Ends a branch where `--points` or a signal asks for it, and shows on a terminal how far it is.
+class Watch {
+ public:
+  Watch(std::string_view name, int points) : name_(name), points_(static_cast<std::size_t>(points)) {
+    note_stop_signals();
+  }
+
+  branch::GoOn go_on() {
+    return [this](std::size_t orbits, const branch::Orbit& last) {
+      const auto now = std::chrono::steady_clock::now();
+      if (is_terminal_ && now >= next_) {
+        constexpr std::chrono::milliseconds kPeriod{200};
+        next_ = now + kPeriod;
+        line_.show(fmt::format("{} orbits, period {}, {} = {:.10g}", orbits, last.period, name_,
+                               last.quantities.front()));
+      }
+      return orbits < points_ && !stop_requested();
+    };
+  }
+  /// A branch that has been ended says where; `end` is where it would have ended else.
+  void say_where_it_stopped(const branch::Branch& branch, std::string_view end) {
+    line_.leave();
+    if (!branch.goes_on) return;
+    say_sentence(fmt::format("stopped after {} orbits at {} = {:.10g}, before {}{}", branch.orbits.size(),
+                             name_, branch.orbits.back().quantities.front(), end,
+                             stop_requested() ? "" : "; a larger --points goes on"));
+  }
+
+ private:
+  std::string_view name_;
+  std::size_t points_;
+  bool is_terminal_ = ::isatty(STDERR_FILENO) != 0;
+  std::chrono::steady_clock::time_point next_;
+  RewrittenLine line_;
+};
 
 /// A curve of bifurcations in two quantities.
 struct CurveRequest {
@@ -210,15 +242,15 @@ int follow_branch(const BranchCommand& command) {
   const std::string end = command.to && !command.both
                               ? fmt::format("--to {}", *command.to)
                               : fmt::format("an end of {} to {}", first.lowest, first.highest);
-  const auto most = static_cast<std::size_t>(command.points);
+  Watch watch(command.along, command.points);
 
   atlas::BranchContents contents{
       {axes[along].quantity}, {}, std::nullopt, scene.accuracy.tolerance, parameters};
-  branch::Branch followed = continuation.follow(*start, direction, most);
-  say_where_it_stopped(followed, command.along, end);
-  if (command.both || !command.to) {
-    branch::Branch back = continuation.follow(*start, -direction, most);
-    say_where_it_stopped(back, command.along, end);
+  branch::Branch followed = continuation.follow(*start, direction, watch.go_on());
+  watch.say_where_it_stopped(followed, end);
+  if ((command.both || !command.to) && !stop_requested()) {
+    branch::Branch back = continuation.follow(*start, -direction, watch.go_on());
+    watch.say_where_it_stopped(back, end);
     followed = joined(std::move(back), std::move(followed));
   }
   contents.branches.reserve(2);  // `events` stay where they are
@@ -227,20 +259,20 @@ int follow_branch(const BranchCommand& command) {
   for (const branch::Event& event : events)
     say_sentence(sentence_of(event, command.along, scene.blades.count));
 
-  if (command.doubled) {
+  if (command.doubled && !stop_requested()) {
     // The branch's own end is the doubling of an orbit of half its passings, which leads back to it.
     const branch::Event* doubling =
         nearest_event(events, branch::EventKind::period_doubling, value, start->passings);
     if (doubling == nullptr)
       throw UsageError("--switch: no period doubling among the orbits that were followed to switch at");
-    auto doubled = continuation.follow_doubled(*doubling, most);
+    auto doubled = continuation.follow_doubled(*doubling, watch.go_on());
     if (!doubled) throw UsageError("--switch: the branch of doubled period could not be found");
+    watch.say_where_it_stopped(*doubled, end);
     for (const branch::Event& event : doubled->events)
       say_sentence(sentence_of(event, command.along, scene.blades.count));
-    say_where_it_stopped(*doubled, command.along, end);
     contents.branches.push_back(std::move(*doubled));
   }
-  if (curve) {
+  if (curve && !stop_requested()) {
     const branch::Event* event = nearest_event(events, curve->kind, value);
     if (event == nullptr)
       throw UsageError(
@@ -248,9 +280,9 @@ int follow_branch(const BranchCommand& command) {
     branch::Shooting both(scene, parameters, {varied(axes[along], along, value, {}), curve->quantity});
     branch::Orbit from = event->orbit;
     from.quantities.push_back(parameters[curve->in]);
-    branch::Branch found = branch::follow_curve(both, curve->kind, from, most);
+    branch::Branch found = branch::follow_curve(both, curve->kind, from, watch.go_on());
     if (found.orbits.empty()) throw UsageError("--curve: the curve could not be followed from there");
-    say_where_it_stopped(found, command.along, "an end of the curve");
+    watch.say_where_it_stopped(found, "an end of the curve");
     for (const branch::Event& lost : found.events)
       say_sentence(sentence_of(lost, command.along, scene.blades.count));
     contents.quantities.push_back(axes[curve->in].quantity);
@@ -261,7 +293,7 @@ int follow_branch(const BranchCommand& command) {
   for (const branch::Branch& each : contents.branches) count += each.orbits.size();
   atlas::write_branch(output, scene, text, contents, software());
   say_sentence(fmt::format("{} periodic orbits in {}", count, command.output.string()));
-  return exit_code::kDone;
+  return stop_requested() ? exit_code::kInterrupted : exit_code::kDone;
 }
 
 }  // namespace rubatlas::mpi

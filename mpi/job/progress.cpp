@@ -119,15 +119,11 @@ void Progress::show(const Standing& standing) {
   next_ = std::chrono::steady_clock::now() + (style_ == ProgressStyle::plain ? kLinePeriod : kBarPeriod);
   if (style_ == ProgressStyle::plain) return say_sentence(plain_line(standing));
   // The last column stays free: some terminals wrap when it is written.
-  const std::string line = bar_line(standing, terminal_width() - 1);
-  const std::size_t erased = shown_columns_ > line.size() ? shown_columns_ - line.size() : 0;
-  say("\r" + line + std::string(erased, ' '));
-  shown_columns_ = line.size();
+  bar_.show(bar_line(standing, terminal_width() - 1));
 }
 
 void Progress::announce(std::string_view sentence) {
-  if (shown_columns_ > 0) say("\n");
-  shown_columns_ = 0;
+  bar_.leave();
   say_sentence(sentence);
 }
 
@@ -135,7 +131,7 @@ void Progress::finish(const Standing& standing) {
   if (style_ == ProgressStyle::off) return;
   if (style_ == ProgressStyle::bar) {
     show(standing);
-    say("\n");
+    bar_.leave();
   }
   say_sentence(summary_line(standing));
 }

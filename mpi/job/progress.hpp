@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "mpi/say.hpp"
 #include "point/line_solver.hpp"
 
 namespace rubatlas::mpi {
@@ -59,7 +60,7 @@ class Progress {
  private:
   ProgressStyle style_;
   std::chrono::steady_clock::time_point next_;
-  std::size_t shown_columns_ = 0;
+  RewrittenLine bar_;
 };
 
 }  // namespace rubatlas::mpi

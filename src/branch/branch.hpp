@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <complex>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -67,5 +69,8 @@ struct Branch {
   std::vector<Event> events;
   bool goes_on = false;  ///< beyond its last orbit: no more orbits were asked for
 };
+
+/// Whether a branch that has so many orbits, of which this is the last, is followed further.
+using GoOn = std::function<bool(std::size_t orbits, const Orbit& last)>;
 
 }  // namespace rubatlas::branch

@@ -19,23 +19,23 @@ std::optional<Orbit> Continuation::settle(const motion::SectionState& initial,
   return settled_orbit(corrector_, initial, quantities, transient_revolutions);
 }
 
-Branch Continuation::follow(const Orbit& from, double direction, std::size_t most) {
+Branch Continuation::follow(const Orbit& from, double direction, const GoOn& go_on) {
   Unknowns along = Unknowns::Zero(shooting_->size());
   along[4] = direction;
   shooting_->set_passings(from.passings);
   shooting_->cut_at_section();
   const auto state = corrector_.correct(shooting_->scaled(from.section, from.quantities), along);
   if (!state) return {};
-  return follow(*state, most);
+  return follow(*state, go_on);
 }
 
-std::optional<Branch> Continuation::follow_doubled(const Event& doubling, std::size_t most) {
+std::optional<Branch> Continuation::follow_doubled(const Event& doubling, const GoOn& go_on) {
   const auto start = doubled_orbit(corrector_, doubling);
   if (!start) return std::nullopt;
-  return follow(*start, most);
+  return follow(*start, go_on);
 }
 
-Branch Continuation::follow(OnBranch state, std::size_t most) {
+Branch Continuation::follow(OnBranch state, const GoOn& go_on) {
   Branch branch;
   branch.orbits.push_back(state.orbit);
   double length = kFirstStep;
@@ -45,7 +45,7 @@ Branch Continuation::follow(OnBranch state, std::size_t most) {
   const Unknowns first = in_section(state.orbit);
   std::vector<Unknowns> behind_grazings;
   while (true) {
-    if (branch.orbits.size() >= most) {
+    if (!go_on(branch.orbits.size(), state.orbit)) {
       branch.goes_on = true;
       break;
     }

@@ -5,7 +5,6 @@
 /// orbits).
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -29,14 +28,14 @@ class Continuation {
                                             const std::vector<double>& quantities, int transient_revolutions);
 
   /// From an orbit on, towards larger (+1) or smaller (−1) values of the first quantity at first, until a
-  /// quantity leaves its range, the branch closes or is lost, or it has `most` orbits.
-  [[nodiscard]] Branch follow(const Orbit& from, double direction, std::size_t most);
+  /// quantity leaves its range, the branch closes or is lost, or it is to go no further.
+  [[nodiscard]] Branch follow(const Orbit& from, double direction, const GoOn& go_on);
 
   /// The branch of doubled period that begins at a period doubling, likewise.
-  [[nodiscard]] std::optional<Branch> follow_doubled(const Event& doubling, std::size_t most);
+  [[nodiscard]] std::optional<Branch> follow_doubled(const Event& doubling, const GoOn& go_on);
 
  private:
-  [[nodiscard]] Branch follow(OnBranch state, std::size_t most);
+  [[nodiscard]] Branch follow(OnBranch state, const GoOn& go_on);
 
   Shooting* shooting_;
   Corrector corrector_;

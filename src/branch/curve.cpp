@@ -68,7 +68,7 @@ class Curve {
 
 }  // namespace
 
-Branch follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::size_t most) {
+Branch follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, const GoOn& go_on) {
   shooting.set_passings(from.passings);
   shooting.cut_at_section();
   Curve curve(shooting, kind);
@@ -84,7 +84,7 @@ Branch follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::
     double length = kFirstStep;
     std::size_t count = 1;
     while (length >= kShortestOnCurve) {
-      if (count >= most) {
+      if (!go_on(count, state.orbit)) {
         found.goes_on = true;
         break;
       }

@@ -4,15 +4,14 @@
 /// Source: Seydel, Practical Bifurcation and Stability Analysis, chapter 5.
 #pragma once
 
-#include <cstddef>
-
 #include "branch/branch.hpp"
 #include "branch/shooting.hpp"
 
 namespace rubatlas::branch {
 
-/// A curve of bifurcations of one kind in two quantities, from one of them on, both ways. The shooting varies
-/// both. Orbits along the curve, without events; none where the first cannot be found.
-Branch follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, std::size_t most);
+/// A curve of bifurcations of one kind in two quantities, from one of them on, both ways as long as `go_on`
+/// says of each. The shooting varies both. Orbits along the curve, without events; none where the first
+/// cannot be found.
+Branch follow_curve(Shooting& shooting, EventKind kind, const Orbit& from, const GoOn& go_on);
 
 }  // namespace rubatlas::branch

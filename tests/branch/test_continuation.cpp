@@ -29,6 +29,10 @@ settings::Scene followed_rotor() {
   return scene;
 }
 
+branch::GoOn up_to(std::size_t orbits) {
+  return [orbits](std::size_t count, const branch::Orbit& /*last*/) { return count < orbits; };
+}
+
 /// Along the speed ratio from one value to the other.
 struct AlongSpeed {
   AlongSpeed(const settings::Scene& scene, double from, double to)
@@ -36,7 +40,7 @@ struct AlongSpeed {
                  {{settings::axes_of(scene).size() - 1, 0.1 * from, std::min(from, to), std::max(from, to)}}),
         continuation(shooting),
         start(continuation.settle({}, {from}, 300)),
-        branch(start ? continuation.follow(*start, to > from ? 1.0 : -1.0, 500) : branch::Branch{}) {}
+        branch(start ? continuation.follow(*start, to > from ? 1.0 : -1.0, up_to(500)) : branch::Branch{}) {}
 
   static std::vector<double> parameters(const settings::Scene& scene, double speed) {
     std::vector<double> values;
@@ -182,7 +186,7 @@ TEST(Branch, OfTwoBladesDoublesWhereTheMotionNoLongerRepeatsItselfAtEachPassing)
   for (const branch::Orbit& orbit : one.branch.orbits)
     EXPECT_EQ(orbit.is_stable(), orbit.quantities[0] < doubling.orbit.quantities[0]);
 
-  const auto doubled = one.continuation.follow_doubled(doubling, 5);
+  const auto doubled = one.continuation.follow_doubled(doubling, up_to(5));
   ASSERT_TRUE(doubled && !doubled->orbits.empty());
   const branch::Orbit& first = doubled->orbits.front();
   EXPECT_EQ(first.passings, 2);

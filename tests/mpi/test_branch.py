@@ -1,10 +1,14 @@
 """Periodic orbits followed along a quantity: what the file holds, where branches end, and what is refused."""
+import os
+import pty
+import signal
+import subprocess
 import unittest
 
 import h5py
 import numpy as np
 
-from job import JobTest
+from job import JobTest, command
 
 ROTOR = {"title": "branch", "reference": "none", "grid": {"speed_ratio": 0.5}}
 
@@ -59,6 +63,29 @@ class Branch(JobTest):
         at = found["parameter"][found["branch"] == 0]
         stable = found["stability"][found["branch"] == 0] == 1
         self.assertTrue((stable == (at < 0.6840370978)).all(), "the orbit loses its stability there")
+
+    def test_one_that_is_interrupted_keeps_its_orbits_and_says_on_a_terminal_how_far_it_is(self):
+        scene = self.write_scene({**ROTOR, "blades": {"count": 2}})
+        ours, terminal = pty.openpty()
+        program = command(None, "branch", scene, "--from", "speed_ratio=0.6", "--along", "speed_ratio", "--to", "0.72",
+                          "-o", "branch.h5")
+        job = subprocess.Popen(program, cwd=self.directory, stderr=terminal)
+        os.close(terminal)
+        said = b""
+        while b"orbits, period 14, speed_ratio = 0.6" not in said:
+            said += os.read(ours, 1024)
+        job.send_signal(signal.SIGINT)
+        try:
+            while more := os.read(ours, 1024):
+                said += more
+        except OSError:  # nobody writes to it any more
+            pass
+        os.close(ours)
+        self.assertEqual(job.wait(), 75)
+        said = said.decode()
+        self.assertRegex(said, r"stopped after \d+ orbits at speed_ratio = 0\.\d+, before --to 0\.72\r\n")
+        orbits = len(self.rows()["parameter"])
+        self.assertIn(f"\nrubatlas: {orbits} periodic orbits in branch.h5", said)
 
     def test_a_file_of_the_same_scene_has_the_same_bytes(self):
         options = ("--from", "speed_ratio=0.42", "--along", "damping_ratio", "--to", "0.12")
