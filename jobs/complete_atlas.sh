@@ -7,7 +7,8 @@
 #   0 or 10         the atlas is complete; 10: some points could not be integrated
 #   75 130 143 129  stopped by SIGUSR1, Ctrl-C, SIGTERM, SIGHUP, or by somebody who asked the run itself to stop (75)
 #   another code    what the run ended with: points are missing
-# Whether an atlas is complete only the atlas knows: a launcher that is terminated ends with codes of its own.
+# Whether an atlas is complete only the atlas knows: a launcher ends with codes of its own, also behind the last point,
+# when the atlas is complete all the same if it is that of the scene. Codes 2 and 3 are the program's word.
 # The first signal asks the run to stop in good order, the second ends it.
 complete_atlas() {
   local scene=$1 atlas=$2 style=$3 run code heard asked=0 state=0
@@ -35,9 +36,20 @@ complete_atlas() {
   trap - USR1 HUP INT TERM
   if [ -e "$atlas" ] && [ "$code" != 2 ] && [ "$code" != 3 ]; then
     "$program" status "$atlas" || state=$?
-    case $code in 0 | 10) code=$state ;; esac
+    case $code:$state in
+      0:* | 10:*) code=$state ;;
+      *:0 | *:10)
+        if "$program" run "$scene" -o "$atlas" ${part:+--part "$part"} --resume --dry-run >/dev/null; then
+          code=$state
+        fi
+        ;;
+    esac
   fi
-  [ "$asked" = 0 ] || code=$asked
+  # A limit of time that is reached behind the last point stops nothing; who presses Ctrl-C wants no more.
+  case $asked:$code in
+    0:* | 75:0 | 75:10) ;;
+    *) code=$asked ;;
+  esac
   return "$code"
 }
 # whole_atlas SCENE ATLAS [LAUNCHER...]: for scripts that go on with a complete atlas, and end where it is not.

@@ -178,6 +178,35 @@ class Jobs(unittest.TestCase):
                 computed, all_points = self.points_computed("atlas.h5")
                 self.assertLess(computed, all_points)
 
+    def under_a_launcher(self, text, scene=TINY):
+        """What the Slurm script says where mpirun is this script of its own."""
+        (self.folder / "mpirun").write_text(f"#!/bin/sh\nshift 2\n{text}\n")
+        (self.folder / "mpirun").chmod(0o755)
+        ended = run("bash", ROOT / "jobs/slurm.sh", scene, "atlas.h5", cwd=self.folder,
+                    PATH=f"{self.folder}:{os.environ['PATH']}")
+        return ended.returncode, ended.stdout + ended.stderr
+
+    def test_the_slurm_script_asks_the_atlas_whether_it_is_complete_and_not_the_launcher(self):
+        code, said = self.under_a_launcher("exit 1")
+        self.assertEqual((code, "done: " in said), (1, False), said)
+        code, said = self.under_a_launcher('"$@"; exit 1')
+        self.assertEqual((code, "\ndone: atlas.h5\n" in said), (0, True), said)
+        code, said = self.under_a_launcher('kill -USR1 $PPID; sleep 0.5; exit 1')
+        self.assertEqual(code, 0, "the limit of time came behind the last point\n" + said)
+
+        content = json.loads(TINY.read_text())
+        content["rotor"] = {"damping_ratio": 0.11}
+        (self.folder / "other.json").write_text(json.dumps(content))
+        code, said = self.under_a_launcher("exit 1", self.folder / "other.json")
+        self.assertEqual((code, "done: " in said), (1, False), "the atlas is that of another scene\n" + said)
+
+        with h5py.File(self.folder / "atlas.h5", "r+") as file:
+            file["status"][..., 0] = 0
+        for launcher, expected in (("exit 1", 1), ("exit 0", 75)):
+            code, said = self.under_a_launcher(launcher)
+            self.assertEqual((code, "done: " in said), (expected, False), said)
+            self.assertIn("; to go on: sbatch -n 2 jobs/slurm.sh", said)
+
     def clone(self):
         for name in ("jobs", "tools", "tests"):
             (self.folder / name).symlink_to(ROOT / name)
