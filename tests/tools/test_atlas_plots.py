@@ -54,6 +54,16 @@ class AtlasPlots(WithFolder):
         with self.assertRaisesRegex(rubatlas.AtlasError, "needs the atlas' maps"):
             rubatlas.open(TINY / "atlas.h5").plot.margin()
 
+    def test_what_a_map_cannot_draw_is_refused_for_what_it_is(self):
+        for atlas, quantity in ((self.atlas, "margin"), (self.atlas, "margin_damping_ratio"), (self.atlas, "contact"),
+                                (rubatlas.open(TINY / "atlas.h5"), "margin")):
+            with self.assertRaisesRegex(rubatlas.AtlasError, f"{quantity}: of the maps .* plot.margin the margins"):
+                atlas.plot.map(quantity=quantity)
+        with self.assertRaisesRegex(rubatlas.AtlasError, "name it among the scene's observables"):
+            self.atlas.plot.map(quantity="lyapunov")
+        with self.assertRaisesRegex(rubatlas.AtlasError, "'max_displacement': no axes of matplotlib"):
+            self.atlas.plot.map("max_displacement")
+
     def test_an_axis_in_rpm_is_in_pictures_of_our_own_alone(self):
         self.assertEqual(len(self.atlas.plot.displacement().child_axes), 1)
         own = plt.subplots()[1]

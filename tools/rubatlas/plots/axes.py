@@ -42,6 +42,8 @@ class Selection(Protocol):
 @contextlib.contextmanager
 def _panel(ax: Axes | None) -> Iterator[Axes]:
     """The caller's axes, or new ones as our pictures have them."""
+    if ax is not None and not isinstance(ax, Axes):
+        raise AtlasError(f"{ax!r}: no axes of matplotlib, which come first; all else has a name, as in quantity=...")
     with matplotlib.rc_context(style.SETTINGS):
         yield plt.subplots()[1] if ax is None else ax
 
@@ -115,6 +117,9 @@ class Plots:
                 with self._maps() as maps:
                     handles = map_of.classes_into(panel, atlas, maps, along, line, quantity != "class")
                 panel.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+            elif quantity not in atlas and (quantity.startswith("margin") or quantity in self._atlas.dataset):
+                raise AtlasError(f"{quantity}: of the maps of the atlas, of which plot.map draws class and "
+                                 "class_blade_passing, and plot.margin the margins")
             elif words_of(atlas.dataset(quantity).attrs):
                 raise AtlasError(f"{quantity}: words, not numbers; a map draws class, class_blade_passing or a "
                                  "quantity of numbers")
