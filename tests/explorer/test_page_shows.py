@@ -107,6 +107,31 @@ class PageShows(ExplorerTest):
         self.assertNotEqual(self.browser.pixels("#rotor"), before)
         self.assertEqual(self.browser.log(), [])
 
+    def bold_lines(self, picture):
+        """The corners of the lines of a picture that are three pixels wide."""
+        return [np.array([place.split() for place in one.get("d")[1:].split("L")], float)
+                for one in xml.etree.ElementTree.parse(picture).iter() if one.get("stroke-width") == "3"]
+
+    def test_the_rotor_turns_as_a_swept_ripple_of_the_speed_makes_it(self):
+        atlas = run(self.folder, "ripple", {
+            "speed_ripple": {"amplitude": 0.1, "order": 1},
+            "grid": {"speed_ratio": [0.45], "/speed_ripple/amplitude": [0.05, 0.4]},
+            "protocol": {"transient_revolutions": 20, "sampled_revolutions": 8}})
+        report = made(self.folder / "ripple.html", atlas, "--orbits", "2", "--without-solver", solver=False)
+        for amplitude in 0.05, 0.4:
+            with self.subTest(amplitude):
+                self.open(f"#at=speed_ratio=0.45,speed_ripple_amplitude={amplitude}", report)
+                self.assertEqual(self.browser.text("#chart-orbit .badge"), "computed by the program")
+                for _ in range(3):  # a blade that has just touched down is straight: its tip lies on the ring
+                    self.browser.find("#step").click()
+                    touching = int(re.search(r"in contact: blade (\d)", self.browser.text("#rotor-status"))[1])
+                    ring, *blades = self.bold_lines(self.browser.exported("SVG", "rotor"))
+                    self.assertEqual(len(blades), 3)
+                    middle = 0.5 * (ring.min(axis=0) + ring.max(axis=0))
+                    self.assertAlmostEqual(np.hypot(*(blades[touching - 1][-1] - middle)),
+                                           np.hypot(*(ring[0] - middle)), delta=0.2)  # pixels, of 187
+        self.assertEqual(self.browser.log(), [])
+
     def without_web_assembly(self):
         script = self.browser.command("Page.addScriptToEvaluateOnNewDocument", source="delete window.WebAssembly")
         self.addCleanup(self.browser.command, "Page.removeScriptToEvaluateOnNewDocument", **script)

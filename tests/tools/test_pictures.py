@@ -65,6 +65,21 @@ class ToolsPictures(PicturesCase):
                 file["scene_resolved"][()] = json.dumps(scene)
         return paths
 
+    def test_dollar_signs_in_a_title_are_drawn_as_they_are(self):
+        def in_dollars(scene):
+            scene["title"], scene["reference"] = r"Rotors of $3 and $5", r"costs $\nowhere$ stated"
+
+        with tempfile.TemporaryDirectory() as folder:
+            path, = self.changed(folder, in_dollars, "atlas.h5")
+            figure = Figure("displacement", path).figure
+            figure.canvas.draw()  # which fails where the words between dollar signs are read as formulas
+            titles = figure._suptitle, figure._supxlabel
+            drawn = [title.get_window_extent().width for title in titles]
+            for title in titles:
+                title.set_text(title.get_text().replace("$", r"\$")), title.set_parse_math(True)  # written out
+            figure.canvas.draw()
+            np.testing.assert_allclose(drawn, [title.get_window_extent().width for title in titles], rtol=0.02)
+
     def test_what_cannot_be_drawn_is_left_out_with_its_reason_and_the_others_are_drawn(self):
         def without_clearance(scene):
             scene["ring"]["radius"] = scene["blades"]["hub_radius"] + scene["blades"]["length"]
