@@ -92,12 +92,12 @@ void create_presence(File& file, const std::string& name, const std::string& lon
   dataset.set_text("long_name", long_name);
 }
 
-/// The ends of a region that lie at points that are not done.
+/// The ends of a region beyond which it may go on.
 void create_open_ends(File& file, std::size_t region, const Findings& found, const Dataset& line_scale) {
   std::vector<std::uint8_t> values;
   for (const auto& line : found.lines) {
     const auto& here = line.regions[region];
-    values.push_back(static_cast<std::uint8_t>((here.begins_at_gap ? 1 : 0) + (here.ends_at_gap ? 2 : 0)));
+    values.push_back(static_cast<std::uint8_t>((here.begins_open ? 1 : 0) + (here.ends_open ? 2 : 0)));
   }
   Dataset dataset =
       file.create_dataset<std::uint8_t>(fmt::format("table1/region_{}_open", region + 1), {values.size()});
@@ -105,8 +105,12 @@ void create_open_ends(File& file, std::size_t region, const Findings& found, con
   dataset.attach_scale(0, line_scale);
   const std::vector<std::uint8_t> flags{0, 1, 2, 3};
   dataset.set_numbers<std::uint8_t>("flag_values", flags);
-  dataset.set_text("flag_meanings", "closed begins_at_gap ends_at_gap both");
-  dataset.set_text("long_name", fmt::format("region {}: ends where points are not done", region + 1));
+  dataset.set_text("flag_meanings", "closed begins_open ends_open both");
+  dataset.set_text(
+      "long_name",
+      fmt::format(
+          "region {}: ends beyond which it may go on: at points that are not done, or at the end of the grid",
+          region + 1));
 }
 
 }  // namespace

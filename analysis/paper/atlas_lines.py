@@ -15,6 +15,13 @@ SYMBOLS = {"damping_ratio": "ζ", "friction": "μ", "unbalance": "me", "thicknes
            "unbalance_phase": "γ", "rotor_mass": "m", "rotor_misalignment": "y0", "ring_radius": "R"}
 
 
+def _region(speed: Numbers, presence: int, start: float, end: float, share: float, peak: float, median: float,
+            open_ends: int) -> Region:
+    """Where an end lies at the end of the grid, it is cut off there."""
+    cut_off = (1 if start == speed[0] else 0) | (2 if end == speed[-1] else 0)
+    return Region(presence, start, end, share, peak, median, int(open_ends), cut_off & int(open_ends))
+
+
 class AtlasLines:
     """An open atlas and its maps, line by line."""
 
@@ -74,9 +81,9 @@ class AtlasLines:
             place = np.unravel_index(i, shape)
             yield Line(
                 speed=speed, motion=motion[i], displacement=displacement[i],
-                regions=[Region(*(column[f"region_{k}_{name}"][i] for name in
-                                  ("presence", "from", "to", "aperiodic_share", "peak_displacement",
-                                   "median_displacement", "open"))) for k in (1, 2, 3, 4)],
+                regions=[_region(speed, *(column[f"region_{k}_{name}"][i] for name in
+                                          ("presence", "from", "to", "aperiodic_share", "peak_displacement",
+                                           "median_displacement", "open"))) for k in (1, 2, 3, 4)],
                 triggers=[Trigger(*(column[f"trigger_{k}_{name}"][i] for name in
                                     ("presence", "speed_ratio", "rise", "ratio"))) for k in (1, 2)],
                 doublings=doublings[i], doublings_in=map_of_doublings, blades=int(self.scene["blades"]["count"]),

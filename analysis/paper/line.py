@@ -30,7 +30,8 @@ class Region:
     share: float = np.nan  #: of aperiodic points
     peak: float = np.nan  #: [m]
     median: float = np.nan  #: [m] of the largest displacements
-    open_ends: int = 0  #: 1: begins at a gap of the line, 2: ends at one, 3: both
+    open_ends: int = 0  #: 1: it may go on below, 2: above, 3: both; at a gap of the line, or where the grid ends
+    cut_off: int = 0  #: those of them that lie at the end of the grid
 
     @property
     def present(self) -> bool:
@@ -38,10 +39,13 @@ class Region:
 
     @property
     def width(self) -> float:
-        """Extent in Ω; 0 where the region is absent or merged, NaN where it is not known."""
+        """Extent in Ω; 0 where the region is absent or merged, NaN where it is not known.
+
+        The paper's pictures end where the grid does, and its regions with them.
+        """
         if self.presence in (ABSENT, MERGED):
             return 0.0
-        return self.end - self.start if self.open_ends == 0 else np.nan
+        return self.end - self.start if self.open_ends == self.cut_off else np.nan
 
     @property
     def third(self) -> float:
@@ -109,7 +113,9 @@ class Line:
 def region_text(number: int, region: Region) -> str:
     if not region.present:
         return f"region {number}: {ABSENCE[region.presence]}"
-    return (f"region {number}: {region.start:.3f}-{region.end:.3f}, {region.share:.0%} aperiodic, "
+    start, end = (f"({speed:.3f})" if region.open_ends & side else f"{speed:.3f}"
+                  for speed, side in ((region.start, 1), (region.end, 2)))
+    return (f"region {number}: {start}-{end}, {region.share:.0%} aperiodic, "
             f"peak {millimetres(region.peak)}")
 
 

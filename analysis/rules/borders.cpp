@@ -43,8 +43,8 @@ void note_regions(Border& border, const Line& line, const std::array<Region, 4>&
     const Region& region = regions[i];
     const auto number = static_cast<std::uint8_t>(i + 1);
     if (!region.present()) continue;
-    if (!region.begins_at_gap && line.speed_ratio[border.above] == region.from) border.region_begins = number;
-    if (i > 0 && !region.ends_at_gap && line.speed_ratio[border.below] == region.to)
+    if (!region.begins_open && line.speed_ratio[border.above] == region.from) border.region_begins = number;
+    if (i > 0 && !region.ends_open && line.speed_ratio[border.below] == region.to)
       border.region_ends = number;
   }
 }

@@ -21,12 +21,12 @@ std::string speed_text(const Interval& between) {
 }
 
 std::string extent_text(const Region& region) {
-  const auto end = [](double speed, bool at_gap, const Interval& between) {
+  const auto end = [](double speed, bool is_open, const Interval& between) {
     if (between.is_known()) return speed_text(between);
-    return at_gap ? fmt::format("({:.3f})", speed) : fmt::format("{:.3f}", speed);
+    return is_open ? fmt::format("({:.3f})", speed) : fmt::format("{:.3f}", speed);
   };
-  return fmt::format("{}-{}", end(region.from, region.begins_at_gap, region.from_between),
-                     end(region.to, region.ends_at_gap, region.to_between));
+  return fmt::format("{}-{}", end(region.from, region.begins_open, region.from_between),
+                     end(region.to, region.ends_open, region.to_between));
 }
 
 }  // namespace rubatlas::analysis

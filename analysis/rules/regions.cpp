@@ -18,6 +18,10 @@ namespace {
 
 using Points = std::span<const ClassifiedPoint>;
 
+bool has_class(std::uint8_t motion) {
+  return motion != motion_class::kNone && motion != motion_class::kUnresolved;
+}
+
 /// The region over points [first, last], from the first to the last of them that touches; the displacement is
 /// of every finished point between them, the unresolved ones included.
 Region region_over(const Line& line, SpeedScale scale, Points points, std::size_t first, std::size_t last) {
@@ -28,8 +32,11 @@ Region region_over(const Line& line, SpeedScale scale, Points points, std::size_
   region.presence = Presence::present;
   region.from = line.speed_ratio[points[first].index];
   region.to = line.speed_ratio[points[last].index];
-  region.begins_at_gap = gap_below(line, scale, points[first].index);
-  region.ends_at_gap = gap_above(line, scale, points[last].index);
+  const std::span motion(line.motion);
+  region.begins_open = gap_below(line, scale, points[first].index) ||
+                       std::ranges::none_of(motion.first(points[first].index), has_class);
+  region.ends_open = gap_above(line, scale, points[last].index) ||
+                     std::ranges::none_of(motion.subspan(points[last].index + 1), has_class);
   const auto inside = points.subspan(first, last - first + 1);
   const auto aperiodic = std::ranges::count_if(inside, [](const ClassifiedPoint& p) { return p.aperiodic; });
   region.aperiodic_share = static_cast<double>(aperiodic) / static_cast<double>(inside.size());
@@ -123,7 +130,7 @@ std::optional<Stretch> longest_stretch(Points points, const std::vector<Stretch>
 double Region::width() const {
   switch (presence) {
     case Presence::present:
-      return begins_at_gap || ends_at_gap ? kNotANumber : to - from;
+      return begins_open || ends_open ? kNotANumber : to - from;
     case Presence::not_covered:
       return kNotANumber;
     default:

@@ -36,10 +36,10 @@ struct Region {
   double peak_displacement = kNotANumber;    ///< [m]
   double median_displacement = kNotANumber;  ///< [m]
 
-  /// The region begins (ends) at a gap of the line, where points are not done: it may be longer than its
-  /// known points.
-  bool begins_at_gap = false;
-  bool ends_at_gap = false;
+  /// The region begins (ends) at a gap of the line, where points are not done, or with the last points of the
+  /// line that have a class: it may be longer than its known points.
+  bool begins_open = false;
+  bool ends_open = false;
 
   /// Its ends as new points between those of the grid have narrowed them down (borders.hpp).
   Interval from_between{};

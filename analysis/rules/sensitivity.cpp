@@ -34,12 +34,15 @@ class Series {
       return present(line) && !std::isnan(of(line).width());
     };
     const auto extent = [&](const LineSummary& line) { return extent_text(of(line)); };
-    // The width of a region that ends at a gap is unknown; the text shows its known part.
-    for (const auto* line : lines_) {
-      if (of(*line).present() && std::isnan(of(*line).width())) {
-        parts.push_back(
-            fmt::format("known as {} at {}", extent(*line), parameter_.text(line->parameters[axis_])));
-      }
+    // The width of a region that is open on a side is unknown; the text shows its known part.
+    std::vector<const LineSummary*> open;
+    std::ranges::copy_if(lines_, std::back_inserter(open),
+                         [&](const LineSummary* line) { return present(*line) && !closed(*line); });
+    if (!open.empty()) {
+      std::vector<double> picked;
+      for (const auto* line : open) picked.push_back(line->parameters[axis_]);
+      parts.push_back(fmt::format("known as {} {}", from_to(extent(*open.front()), extent(*open.back())),
+                                  parameter_.where(picked, values_)));
     }
 
     const auto widths = course(present, [&](const LineSummary& l) { return of(l).width(); });
@@ -62,6 +65,18 @@ class Series {
       words = fmt::format("{} at {}", extent(line_at(widths.front())), widths.front().at);
     }
     add(parts, words);
+    if (widths.empty()) {
+      const auto add_end = [&](const char* subject, bool Region::*is_open, double Region::*end) {
+        const auto places =
+            course([&](const LineSummary& line) { return present(line) && !(of(line).*is_open); },
+                   [&](const LineSummary& line) { return of(line).*end; });
+        add(parts, describe_course(places, {subject, "moves up", "moves down"},
+                                   {scale_.speed_ratio(kNoticeableWidth), 0.0},
+                                   [](const CoursePoint& p) { return fmt::format("{:.3f}", p.value); }));
+      };
+      add_end("its beginning", &Region::begins_open, &Region::from);
+      add_end("its end", &Region::ends_open, &Region::to);
+    }
 
     const auto shares = course(present, [&](const LineSummary& l) { return of(l).aperiodic_share; });
     add(parts,

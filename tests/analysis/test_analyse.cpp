@@ -214,7 +214,7 @@ TEST_F(Analyse, PrintsRegionsAndSensitivitiesAndWritesThemAsMarkdown) {
   const auto markdown = bytes(file("table.md"));
   for (const auto* part :
        {"# synthetic", "| ζ | region 1 | trigger 1 | region 2 | region 3 | trigger 2 | region 4 |",
-        "| 0.1 | 0.050-0.330<br>0 %, 0.1 mm |", "| region 2 | absent at ζ = 0.3;"}) {
+        "| 0.1 | (0.050)-0.330<br>0 %, 0.1 mm |", "| region 2 | absent at ζ = 0.3;"}) {
     EXPECT_NE(markdown.find(part), std::string::npos) << part << "\nin\n" << markdown;
   }
 }
@@ -453,7 +453,7 @@ print(len(xarray.open_dataset(path, engine="h5netcdf", group="effects")["subject
 )",
                              file("read.py"));
   EXPECT_EQ(output,
-            "uint8 uint8 19\nkeeps its extent (0.050-0.330)\n[0 1] [0.655 0.655] [1 1]\n"
+            "uint8 uint8 19\nknown as (0.050)-0.330 at every ζ\n[0 1] [0.655 0.655] [1 1]\n"
             "where the period of the map over a blade passing doubles\n255\n0.3 0.66\n6\n");
 }
 

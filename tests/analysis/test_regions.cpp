@@ -134,14 +134,45 @@ TEST(Regions, EndOpenAtAGap) {
   pieces.insert(pieces.begin() + 2, {0.55, {motion_class::kNone}, kNotANumber});
   const auto regions = regions_of(pieces);
   expect_extent(regions[1], 0.334, 0.45);
-  EXPECT_FALSE(regions[1].begins_at_gap);
-  EXPECT_TRUE(regions[1].ends_at_gap);
+  EXPECT_FALSE(regions[1].begins_open);
+  EXPECT_TRUE(regions[1].ends_open);
   EXPECT_TRUE(std::isnan(regions[1].width()));
   expect_extent(regions[2], 0.551, 0.666);
-  EXPECT_TRUE(regions[2].begins_at_gap);
-  EXPECT_FALSE(regions[2].ends_at_gap);
+  EXPECT_TRUE(regions[2].begins_open);
+  EXPECT_FALSE(regions[2].ends_open);
+}
+
+TEST(Regions, AreOpenWhereTheGridEnds) {
+  const auto regions = regions_of(four_regions());
+  expect_extent(regions[0], 0.05, 0.333);
+  EXPECT_TRUE(regions[0].begins_open);
+  EXPECT_FALSE(regions[0].ends_open);
+  EXPECT_FALSE(std::isnan(regions[1].width()));
+  EXPECT_FALSE(std::isnan(regions[2].width()));
   expect_extent(regions[3], 0.667, 0.95);
-  EXPECT_FALSE(std::isnan(regions[3].width()));
+  EXPECT_FALSE(regions[3].begins_open);
+  EXPECT_TRUE(regions[3].ends_open);
+  EXPECT_TRUE(std::isnan(regions[3].width()));
+}
+
+TEST(Regions, AreOpenWhereTheLastPointsOfTheGridAreNotDoneOrUnresolved) {
+  for (const auto last : {motion_class::kNone, motion_class::kUnresolved}) {
+    auto pieces = four_regions();
+    pieces.back().to = 0.94;
+    pieces.push_back({0.95, {last}, 2e-2});
+    const auto regions = regions_of(pieces);
+    expect_extent(regions[3], 0.667, 0.94);
+    EXPECT_TRUE(regions[3].ends_open);
+  }
+}
+
+TEST(Regions, AreClosedBeforePeriodicMotionAtTheEndOfTheGrid) {
+  auto pieces = four_regions();
+  pieces.back().to = 0.85;
+  pieces.push_back({0.95, {1}, 2e-2});
+  const auto regions = regions_of(pieces);
+  expect_extent(regions[3], 0.667, 0.85);
+  EXPECT_FALSE(regions[3].ends_open);
 }
 
 TEST(Regions, GoOnAcrossAGapThatIsShorterThanTheChaosOnBothSides) {
@@ -152,7 +183,7 @@ TEST(Regions, GoOnAcrossAGapThatIsShorterThanTheChaosOnBothSides) {
                                    {0.67, {1}, 1e-2},
                                    {0.95, {255}, 2e-2}});
   expect_extent(regions[1], 0.334, 0.60);
-  EXPECT_FALSE(regions[1].begins_at_gap || regions[1].ends_at_gap);
+  EXPECT_FALSE(regions[1].begins_open || regions[1].ends_open);
   expect_extent(regions[2], 0.601, 0.67);
 }
 
@@ -180,7 +211,7 @@ TEST(Regions, AreNotCalledAbsentWhereAGapMayHideThem) {
                                    {0.95, {nothing}, kNotANumber}});
   EXPECT_EQ(regions[1].presence, Presence::not_covered);
   expect_extent(regions[2], 0.481, 0.70);
-  EXPECT_TRUE(regions[2].begins_at_gap && regions[2].ends_at_gap);
+  EXPECT_TRUE(regions[2].begins_open && regions[2].ends_open);
   EXPECT_EQ(regions[3].presence, Presence::not_covered);
 }
 
@@ -217,10 +248,10 @@ TEST(Regions, DoNotMindSinglePointsThatAreNotDone) {
     line.motion[i] = motion_class::kNone;
     line.max_displacement[i] = kNotANumber;
   }
-  for (const auto& region : regions_of_line(line)) {
-    EXPECT_EQ(region.presence, Presence::present);
-    EXPECT_FALSE(region.begins_at_gap || region.ends_at_gap);
-  }
+  const auto regions = regions_of_line(line);
+  for (const auto& region : regions) EXPECT_EQ(region.presence, Presence::present);
+  EXPECT_FALSE(regions[0].ends_open || regions[3].begins_open);
+  for (const auto& region : {regions[1], regions[2]}) EXPECT_FALSE(region.begins_open || region.ends_open);
 }
 
 TEST(Regions, OneIsAbsentWithoutTheFirstTrigger) {

@@ -86,7 +86,7 @@ TEST(Sensitivity, TellsHowRegionsWidenAndShorten) {
             "shortens from 0.266 (0.334-0.600) at ζ = 0.05 to 0.166 (0.334-0.500) at ζ = 0.1");
   EXPECT_EQ(text_of(found[0], "region 3"),
             "widens from 0.065 (0.601-0.666) at ζ = 0.05 to 0.165 (0.501-0.666) at ζ = 0.1");
-  EXPECT_EQ(text_of(found[0], "region 1"), "keeps its extent (0.050-0.333)");
+  EXPECT_EQ(text_of(found[0], "region 1"), "known as (0.050)-0.333 at every ζ");
   EXPECT_EQ(text_of(found[0], "trigger 1"), "stays at 0.333");
 }
 
@@ -101,7 +101,7 @@ TEST(Sensitivity, TellsWhereRegionsDisappearAndMerge) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(text_of(found[0], "region 3"), "absent at me ≥ 1e-05 kg m; 0.601-0.666 at me = 0 kg m");
   EXPECT_EQ(text_of(found[0], "region 4"),
-            "merged with region 2 at me ≥ 1e-05 kg m; 0.667-0.950 at me = 0 kg m");
+            "merged with region 2 at me ≥ 1e-05 kg m; known as 0.667-(0.950) at me = 0 kg m");
   EXPECT_EQ(text_of(found[0], "trigger 2"), "absent at me ≥ 1e-05 kg m; 0.667 at me = 0 kg m");
 }
 
@@ -134,6 +134,22 @@ TEST(Sensitivity, ShowsARegionThatEndsAtAGapAsFarAsItIsKnown) {
                                        summary_with(0.5, {0.1})};
   const auto found = sensitivities(parameters_of(axes), lines, SpeedScale(3));
   EXPECT_EQ(text_of(found[0], "region 2"), "known as 0.334-(0.450) at ζ = 0.05; 0.334-0.500 at ζ = 0.1");
+}
+
+TEST(Sensitivity, ComparesTheKnownEndsOfARegionThatTheGridCutsOff) {
+  const std::vector<plan::Axis> axes{axis("damping_ratio", "1", {0.05, 0.1, 0.15}),
+                                     axis("speed_ratio", "1", {0.1})};
+  std::vector<LineSummary> lines;
+  for (const auto& [damping, begins] : {std::pair{0.05, 0.70}, {0.1, 0.75}, {0.15, 0.80}}) {
+    auto pieces = four_regions();
+    pieces[2].to = begins;
+    lines.push_back(summarise(line_of(0.05, 901, pieces), {damping}, SpeedScale(3), 1e-8));
+  }
+  const auto found = sensitivities(parameters_of(axes), lines, SpeedScale(3));
+  EXPECT_EQ(
+      text_of(found[0], "region 4"),
+      "known as 0.701-(0.950) to 0.801-(0.950) at every ζ; its beginning moves up from 0.701 at ζ = 0.05 "
+      "to 0.801 at ζ = 0.15");
 }
 
 }  // namespace

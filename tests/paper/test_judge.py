@@ -6,9 +6,12 @@ import subprocess
 import tempfile
 import unittest
 
+import numpy as np
 from synthetic_lines import ROOT
 
 from paper import statement_map
+from paper.atlas_lines import AtlasLines
+from paper.line import region_text
 from paper.statements import STATEMENTS
 from rubatlas.atlas_file import AtlasError
 
@@ -49,8 +52,19 @@ class Judge(FolderTest):
         text = self.judge(TINY / "atlas.h5", TINY / "maps.h5")
         for name, statement in STATEMENTS.items():
             self.assertIn(f"\n{name:<6} {statement.claim[:40]}", "\n" + text)
-        self.assertRegex(text, r"P1a .*\n +(agrees|partly|disagrees)\n +[+-] region 1: 0\.2")
+        self.assertRegex(text, r"P1a .*\n +(agrees|partly|disagrees)\n +[+-] region 1: \(0\.2")
         self.assertIn("? this is not the paper's test rig", text)
+
+    def test_the_width_of_a_region_is_known_to_the_end_of_the_grid_and_not_to_a_gap(self):
+        with AtlasLines(TINY / "atlas.h5", TINY / "maps.h5") as atlas:
+            line = atlas.lines[1]
+        first, third = line.regions[0], line.regions[2]
+        self.assertEqual((first.start, first.open_ends), (line.speed[0], 1))
+        self.assertAlmostEqual(first.width, first.end - first.start)
+        self.assertTrue(third.end < line.speed[-1] and third.open_ends == 2, "where the motion leaves the model")
+        self.assertTrue(np.isnan(third.width))
+        self.assertRegex(region_text(1, first), r"^region 1: \(0\.200\)-0\.\d{3}, ")
+        self.assertRegex(region_text(3, third), r"^region 3: 0\.\d{3}-\(0\.\d{3}\), ")
 
     def test_maps_beside_an_atlas_are_found_and_several_atlases_share_a_table(self):
         text = self.judge(TINY / "atlas.h5", TINY / "maps.h5", TINY / "rings.h5", "--short")

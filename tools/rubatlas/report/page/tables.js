@@ -16,10 +16,10 @@ function regionCell(row, name, line) {
   const presence = row[`${name}_presence`][line];
   if (presence !== 'present') return presence;
   const open = row[`${name}_open`][line];
-  const edge = (value, gap) => (gap ? `(${shown(value, 4)})` : shown(value, 4));
+  const edge = (value, isOpen) => (isOpen ? `(${shown(value, 4)})` : shown(value, 4));
   const of = (column) => row[`${name}_${column}`][line];
-  const from = edge(of('from'), ['begins at gap', 'both'].includes(open));
-  const to = edge(of('to'), ['ends at gap', 'both'].includes(open));
+  const from = edge(of('from'), /begins|both/.test(open));
+  const to = edge(of('to'), /ends|both/.test(open));
   const aperiodic = shown(100 * of('aperiodic_share'), 3);
   return `${from} – ${to}\n${aperiodic} % aperiodic, ${withUnits(of('peak_displacement'), 'm', 3)}`;
 }
@@ -46,8 +46,8 @@ function table1() {
     ...parts.map((name) => (name.startsWith('region') ? regionCell(row, name, line) : triggerCell(row, name, line)))]);
   return [table([...swept.map(labelOf), 'Contact', ...parts.map((name) => capital(words(name)))], rows, 'dense'),
     element('p', {class: 'quiet small', text: 'Regions: first and last speed ratio, share of aperiodic points, ' +
-      'largest displacement; a speed in parentheses is where points that are not done begin. Triggers: speed ratio, ' +
-      'rise of the displacement.'})];
+      'largest displacement; beyond a speed in parentheses a region may go on, since points are not done there or ' +
+      'the grid ends. Triggers: speed ratio, rise of the displacement.'})];
 }
 function facts(pairs) {
   return element('dl', {class: 'pairs'},
