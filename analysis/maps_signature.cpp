@@ -25,7 +25,8 @@ void create_signature(atlas::File& file, const Findings& found, const atlas::Sha
   }
   rows.add<double>("limit", "m", "displacement that is not to be passed",
                    [&](std::size_t i) { return lines[i].limit; });
-  rows.add<double>("limit_speed_ratio", "1", "first speed ratio at which it is passed; NaN: never",
+  rows.add<double>("limit_speed_ratio", "1",
+                   "first speed ratio at which it is passed; NaN: none that is done",
                    [&](std::size_t i) { return lines[i].limit_speed_ratio; });
   rows.add<double>("announced_speed_ratio", "1",
                    "earliest speed ratio of the signs that stand there; NaN: none",

@@ -26,7 +26,8 @@ std::string sentence_of(const LineSignature& line, int blades) {
     }
     if (sign.false_signs > 0) wrong.push_back(fmt::format("{} {}", names[i], sign.false_signs));
   }
-  auto text = fmt::format("{} never passed", millimetres(line.limit));
+  auto text = fmt::format("{} {}", millimetres(line.limit),
+                          line.is_kept ? "never passed" : "passed at no speed that is done; some are not");
   if (passes) {
     const bool judged = line.passing_is_seen && std::ranges::any_of(line.signs, &Announcement::is_judged);
     if (standing.empty()) standing.emplace_back(judged ? "no sign before" : "signs before are not covered");

@@ -118,9 +118,10 @@ LineSignature find_signs(const SignLine& line, double limit, SpeedScale scale) {
   const auto end = static_cast<std::size_t>(beyond - line.displacement.begin());
   if (passes) found.limit_speed_ratio = line.speed_ratio[end];
   found.passing_is_seen = passes && end > 0 && line.displacement[end - 1] <= limit;
+  found.is_kept = std::ranges::all_of(line.displacement, [&](double one) { return one <= limit; });
   const Ending ending = found.passing_is_seen ? Ending::limit_is_passed
-                        : passes              ? Ending::not_covered
-                                              : Ending::limit_is_kept;
+                        : found.is_kept       ? Ending::limit_is_kept
+                                              : Ending::not_covered;
   const auto announced_by = [&](std::span<const double> heights) {
     const Course course(line.speed_ratio, heights, kSeenShareOfLimit * limit, scale);
     return announcement(line.speed_ratio, course, end, ending);

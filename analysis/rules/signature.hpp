@@ -54,11 +54,12 @@ struct Announcement {
 
 struct LineSignature {
   double limit = kNotANumber;              ///< [m]
-  double limit_speed_ratio = kNotANumber;  ///< first Ω [-] at which the displacement is beyond it; NaN: never
+  double limit_speed_ratio = kNotANumber;  ///< first Ω [-] known to be beyond it; NaN: none
   std::array<Announcement, kSignNames.size()> signs{};
   Announcement displacement{};  ///< the same rule on the displacement itself, for comparison
   /// The point right below the passing is known and below the limit: else the limit may be passed earlier.
   bool passing_is_seen = false;
+  bool is_kept = false;  ///< the displacement is known everywhere, and nowhere beyond the limit
 
   /// Ω [-] of the earliest sign that stands at the limit; NaN where none does.
   [[nodiscard]] double announced() const;

@@ -306,6 +306,18 @@ TEST_F(Analyse, SaysThatSignsAreNotCoveredWhereNothingIsKnownBelowTheLimit) {
       << text;
 }
 
+TEST_F(Analyse, DoesNotSayThatALimitIsNeverPassedWhereSpeedsArePending) {
+  const auto scene = with(kScene, R"("max_displacement"])", R"("max_displacement", "spectrum"])");
+  write_atlas(file("atlas.h5"), scene, [](const plan::PointParameters& at) {
+    const bool is_pending = at.damping_ratio < 0.2 && at.speed_ratio > 0.8;
+    return PrescribedPoint{is_pending ? motion_class::kNone : std::uint8_t{1}, 1e-4};
+  });
+  const auto text = on_one_line(run("atlas.h5"));
+  EXPECT_NE(text.find("ζ = 0.1: 5 mm passed at no speed that is done; some are not."), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("ζ = 0.3: 5 mm never passed."), std::string::npos) << text;
+}
+
 TEST_F(Analyse, SaysNothingOfSignsOnALineWithoutAPoint) {
   const auto scene = with(kScene, R"("max_displacement"])", R"("max_displacement", "spectrum"])");
   const auto said = [&](const std::string& name, double least_damping) {

@@ -100,6 +100,16 @@ TEST(Signature, ASignOnALineThatKeepsTheLimitIsFalse) {
   EXPECT_EQ(found.signs[kPassing].false_signs, 1U);
 }
 
+TEST(Signature, ASignThatStandsOnALineThatIsNotDoneIsNotYetFalse) {
+  const auto height = [](double speed) { return speed < 0.5 ? 1e-5 : 1e-3; };
+  EXPECT_TRUE(signs_of(height, [](double) { return 5e-4; }).is_kept);
+  const auto found = signs_of(height, [](double speed) { return speed < 0.8 ? 5e-4 : kNotANumber; });
+  EXPECT_FALSE(found.is_kept) << "the limit may be passed above 0.8";
+  EXPECT_TRUE(std::isnan(found.limit_speed_ratio));
+  EXPECT_TRUE(std::isnan(found.announced()));
+  EXPECT_EQ(found.signs[kPassing].false_signs, 0U);
+}
+
 TEST(Signature, WhatGrowsBelowAThousandthOfTheLimitIsNotSeen) {
   const auto found = signs_of([](double speed) { return speed < 0.3 ? 1e-12 : 1e-6; },
                               [](double speed) { return speed < 0.4005 ? 5e-4 : 2e-3; });
