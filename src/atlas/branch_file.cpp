@@ -83,6 +83,9 @@ void write_orbits(const BranchColumns& columns, const StateScales& scales, const
   columns.write<std::int32_t>("period",
                               each([](const branch::Orbit& orbit) { return std::int32_t{orbit.period}; }),
                               "1", "period of the orbit in revolutions");
+  columns.write<std::int32_t>("passings",
+                              each([](const branch::Orbit& orbit) { return std::int32_t{orbit.passings}; }),
+                              "1", "blade passings after which it repeats itself, with other blades in turn");
   columns.write<double>("multipliers", multipliers, "1", "Floquet multipliers, the largest first",
                         {&scales.multiplier, &scales.part});
   constexpr std::array<std::uint8_t, 2> kFlags{0, 1};

@@ -24,9 +24,9 @@ struct BranchContents {
 };
 
 /// Writes over the axis `point` `/parameter`, `/second_parameter` (curves), `/section` (point × component),
-/// `/period`, `/multipliers` (point × multiplier × part), `/stability`, `/admissible`, `/nearest_miss`,
-/// `/branch`; in the group `/events` the same of the bifurcations, with `kind` (datasets.md). The
-/// file appears when it is complete. Throws EnvironmentError.
+/// `/period`, `/passings`, `/multipliers` (point × multiplier × part), `/stability`, `/admissible`,
+/// `/nearest_miss`, `/branch`; in the group `/events` the same of the bifurcations, with `kind`
+/// (datasets.md). The file appears when it is complete. Throws EnvironmentError.
 void write_branch(const Output& output, const settings::Scene& scene, const std::string& scene_text,
                   const BranchContents& contents, const Software& software);
 

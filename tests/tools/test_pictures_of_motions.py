@@ -1,5 +1,6 @@
 """Pictures of single motions, spectrum and orbit, and of the basins of all that there are."""
 import importlib
+import json
 import os
 import pathlib
 import shutil
@@ -15,8 +16,9 @@ ROOT = pathlib.Path(os.environ["RUBATLAS_SOURCE_DIR"])
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
 from pictures import TINY, Figure, PicturesCase, run  # noqa: E402
 from rubatlas import style  # noqa: E402
-from rubatlas.atlas_file import AtlasFile  # noqa: E402
+from rubatlas.atlas_file import AtlasFile, UnreadableFile  # noqa: E402
 from rubatlas.palette import PALETTE  # noqa: E402
+from rubatlas.plots.branch import BranchFile  # noqa: E402
 from rubatlas.plots.orbit import OrbitFile  # noqa: E402
 
 
@@ -90,6 +92,31 @@ class PicturesOfMotions(PicturesCase):
         for along, to, label in (("/ring/radius", "0.1", "Radius [m]"), ("speed_ratio", "0.7", "Speed ratio Ω [-]")):
             subprocess.run([*command, "--along", along, "--to", to], check=True, capture_output=True)
             self.assertEqual(Figure("branch", path).figure.axes[1].get_xlabel(), label)
+
+    def test_a_doubled_branch_of_four_blades_is_told_by_its_blade_passings(self):
+        scene, path = self.folder / "four.json", self.folder / "four.h5"
+        scene.write_text(json.dumps({"title": "Four blades", "reference": "none", "blades": {"count": 4},
+                                     "grid": {"speed_ratio": 0.512}}))
+        subprocess.run([os.environ["RUBATLAS_PROGRAM"], "branch", scene, "-o", path, "--from", "speed_ratio=0.512",
+                        "--along", "speed_ratio", "--to", "0.519", "--switch", "--points", "40"], check=True,
+                       capture_output=True)
+        with h5py.File(path) as file:
+            self.assertEqual(set(file["period"][:]), {1})
+            self.assertEqual([set(file["passings"][:][file["branch"][:] == which]) for which in (0, 1)], [{1}, {2}])
+            doubling = file["events/kind"][:] == 2
+            self.assertEqual(set(file["events/passings"][:][doubling]), {1})
+
+        def entries():
+            legend = Figure("branch", path).figure.axes[0].get_legend()
+            return [entry.get_text() for entry in legend.get_texts()][:2]
+        self.assertEqual(entries(), ["branch of period 1, 1 blade passing", "branch of period 1, 2 blade passings"])
+        with h5py.File(path, "r+") as file:
+            file["passings"][0] = 0
+        with self.assertRaisesRegex(UnreadableFile, "/passings are no numbers of blade passings, one of each orbit"):
+            BranchFile(path)
+        with h5py.File(path, "r+") as file:
+            del file["passings"], file["events/passings"]  # as older versions wrote it
+        self.assertEqual(entries(), ["branch of period 1"] * 2)
 
     def test_a_neimark_sacker_bifurcation_is_seen_around_a_grazing_at_the_same_place(self):
         path = self.folder / "crowded.h5"

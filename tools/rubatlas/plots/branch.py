@@ -12,7 +12,8 @@ import numpy as np
 
 from rubatlas import command_line
 from rubatlas import style
-from rubatlas.atlas_file import AtlasError, printable, reading, sizes_of, swept_pointers, text, values_of
+from rubatlas.atlas_file import AtlasError, UnreadableFile, counted, printable, reading, sizes_of, swept_pointers, \
+    text, values_of
 
 # Marks of the kinds of events, as the file numbers them.
 MARKS = {1: ("fold", "s", style.GREEN), 2: ("period doubling", "D", style.VERMILION),
@@ -32,6 +33,11 @@ class BranchFile:
             names: list[str] = []
             file.visit(names.append)
             self.data = {name: file[name][()] for name in names if hasattr(file[name], "dtype")}
+            if "passings" in self.data:  # older files have none
+                passings, period = self.data["passings"], self.data["period"]
+                if passings.dtype.kind != "i" or passings.shape != period.shape or (passings < 1).any():
+                    raise UnreadableFile(f"{path}: /passings are no numbers of blade passings, one of each orbit; the "
+                                         "file is damaged")
             self.units = {which: text(file[name].attrs["units"]) for which, name in
                           (("along", "parameter"), ("in", "second_parameter")) if name in file}
 
@@ -98,7 +104,13 @@ def branch_handles(branch):
     """Entries of the legend: a colour for each branch where there are several, full and dotted lines."""
     number, period = branch["branch"], branch["period"]
     several = np.unique(number) if len(np.unique(number)) > 1 else []
-    looks = [("-", colour_of(which), f"branch of period {period[number == which][0]}") for which in several]
+    passings = branch["passings"] if "passings" in branch else period * branch.scene["blades"]["count"]
+    tells_more = (passings < period * branch.scene["blades"]["count"]).any()  # than the period in revolutions
+    looks = []
+    for which in several:
+        first = np.flatnonzero(number == which)[0]
+        over = f", {counted(passings[first], 'blade passings')}" if tells_more else ""
+        looks.append(("-", colour_of(which), f"branch of period {period[first]}{over}"))
     there = np.unique(branch["stability"] == 1)
     ink = style.INK if len(several) else colour_of(number[0])
     looks += [(kind, ink, word) for kind, word, stable in (("-", "stable", True), (":", "unstable", False))
