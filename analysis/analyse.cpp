@@ -199,6 +199,7 @@ Findings examine(const atlas::AtlasReader& atlas, const DisplacementLimit& limit
   const bool signs = !found.sweeps_initial_state && atlas.has("spectrum") && atlas.has("max_displacement");
   const SpeedScale scale(found.scene.blades.count);
   const plan::Grid grid(found.scene);
+  const settings::Scene scene = plan::with_short_axes(found.scene);
 
   const Starts starts(found.axes);
   const bool matched = starts.several() && found.has_sections && atlas.has("max_displacement");
@@ -207,7 +208,7 @@ Findings examine(const atlas::AtlasReader& atlas, const DisplacementLimit& limit
   for (const auto value : status) ++found.status_count.at(value);
   const std::size_t speeds = atlas.speed_count();
   for (std::size_t line = 0; line * speeds < status.size(); ++line) {
-    const auto own = plan::scene_of_line(found.scene, grid.parameters(line * speeds));
+    const auto own = plan::scene_of_line(scene, grid.parameters(line * speeds));
     const auto tolerance = closing_tolerance(own);
     found.tolerance.push_back(tolerance);
     const auto line_status = std::span(status).subspan(line * speeds, speeds);

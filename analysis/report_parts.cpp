@@ -218,11 +218,19 @@ std::string contact_law_text(const settings::Scene& scene) {
 double largest_sag(const settings::Scene& scene) {
   constexpr double kSmall = 0.1;  // beside the clearance
   if (!scene.gravity && !scene.side_load) return 0.0;
-  const plan::Grid grid(scene);
+  // A shaft at rest asks neither for what has an axis of its own (damping, friction, speed, ...) nor for
+  // where it has started.
+  settings::Scene at_rest = scene;
+  for (const auto& axis : settings::grid_axes()) (at_rest.grid.*axis.values).resize(1);
+  for (auto& axis : at_rest.grid.swept) {
+    if (is_initial_axis(settings::axis_name(axis.pointer))) axis.values.resize(1);
+  }
+  const plan::Grid grid(at_rest);
+  const settings::Scene short_axes = plan::with_short_axes(at_rest);
   double largest = 0.0;
   for (std::size_t number = 0; number < grid.line_count(); ++number) {
     const auto at = grid.parameters(grid.point(number, 0));
-    const auto line = plan::scene_of_line(scene, at);
+    const auto line = plan::scene_of_line(short_axes, at);
     const double sag = std::abs(FreeShaft(line, at.speed_ratio).deflection());
     if (sag > kSmall * length_scale(line)) largest = std::max(largest, sag);
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analysis/rules/course.hpp"
 #include "analysis/rules/evidence_text.hpp"
@@ -164,13 +165,6 @@ class Series {
   std::vector<double> values_;
 };
 
-bool same_but(std::size_t axis, const LineSummary& a, const LineSummary& b) {
-  for (std::size_t i = 0; i < a.parameters.size(); ++i) {
-    if (i != axis && a.parameters[i] != b.parameters[i]) return false;
-  }
-  return true;
-}
-
 std::string fixed_text(std::span<const Parameter> parameters, std::size_t axis, const LineSummary& line) {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -184,16 +178,19 @@ std::string fixed_text(std::span<const Parameter> parameters, std::size_t axis, 
 std::vector<Sensitivity> sensitivities(std::span<const Parameter> parameters,
                                        std::span<const LineSummary> lines, SpeedScale scale) {
   std::vector<Sensitivity> result;
+  std::size_t block = lines.size();  // of lines that differ in this parameter and those behind it
   for (std::size_t axis = 0; axis < parameters.size(); ++axis) {
-    if (parameters[axis].values.size() < 2 || parameters[axis].name == plan::kDirectionAxis) continue;
-    for (const auto& start : lines) {
-      if (start.parameters[axis] != parameters[axis].values.front()) continue;
-      Sensitivity sensitivity{.parameter = axis, .fixed = fixed_text(parameters, axis, start)};
+    const std::size_t values = parameters[axis].values.size();
+    const std::size_t step = block / values;  // to the next value of this parameter
+    const std::size_t whole = std::exchange(block, step);
+    if (values < 2 || parameters[axis].name == plan::kDirectionAxis) continue;
+    for (std::size_t start = 0; start < lines.size(); ++start) {
+      if (start % whole >= step) continue;
+      Sensitivity sensitivity{.parameter = axis, .fixed = fixed_text(parameters, axis, lines[start])};
       std::vector<const LineSummary*> series_lines;
-      for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (!same_but(axis, start, lines[i])) continue;
-        sensitivity.lines.push_back(i);
-        series_lines.push_back(&lines[i]);
+      for (std::size_t i = 0; i < values; ++i) {
+        sensitivity.lines.push_back(start + i * step);
+        series_lines.push_back(&lines[start + i * step]);
       }
       const Series series(parameters[axis], axis, scale, std::move(series_lines));
       sensitivity.effects = {{"region 1", series.region(0)},   {"trigger 1", series.trigger(0)},

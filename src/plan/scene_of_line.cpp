@@ -23,4 +23,10 @@ settings::Scene scene_of_line(const settings::Scene& scene, const PointParameter
   return own;
 }
 
+settings::Scene with_short_axes(settings::Scene scene) {
+  for (const auto& axis : settings::grid_axes()) (scene.grid.*axis.values).resize(1);
+  for (auto& axis : scene.grid.swept) axis.values.resize(1);
+  return scene;
+}
+
 }  // namespace rubatlas::plan

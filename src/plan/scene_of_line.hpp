@@ -11,4 +11,8 @@ namespace rubatlas::plan {
 /// std::invalid_argument where `line.swept` has not one value for each axis of `scene.grid.swept`.
 settings::Scene scene_of_line(const settings::Scene& scene, const PointParameters& line);
 
+/// `scene` with one value on each axis of its grid, of which `scene_of_line` makes the scenes of the same
+/// lines, but for their grid. The axes of a large atlas are too long to be copied for each of its lines.
+settings::Scene with_short_axes(settings::Scene scene);
+
 }  // namespace rubatlas::plan

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <string>
 
 #include "analysis/report.hpp"
+#include "analysis/report_parts.hpp"
 #include "analysis/text_layout.hpp"
 #include "atlas/environment_error.hpp"
 #include "atlas/hdf5.hpp"
@@ -364,6 +366,25 @@ TEST_F(Analyse, CopesWithPendingAndFailedPoints) {
   }
   EXPECT_EQ(maps.dataset("table1/region_1_presence").read<std::uint8_t>(), (std::vector<std::uint8_t>{2, 0}));
   EXPECT_EQ(maps.dataset("table1/region_4_open").read<std::uint8_t>(), (std::vector<std::uint8_t>{2, 0}));
+}
+
+TEST(NotesOnEffects, AStaticSagIsTheLargestOfAnyLineAndLooksAtThoseAloneThatMoveIt) {
+  const auto note = [](const std::string& axes) {
+    const auto notes = notes_on_effects(settings::parse_scene(
+        R"({"gravity": {"acceleration": 0.2}, "sweep": "independent", "grid": {"speed_ratio": 0.3)" + axes +
+        "}}"));
+    return notes.empty() ? "none" : notes.front().substr(0, notes.front().find(" and part"));
+  };
+  EXPECT_EQ(note(""), "f, the static sag, is up to 2 mm");
+  EXPECT_EQ(note(R"(, "/gravity/acceleration": [0.01, 0.3, 0.5])"), "f, the static sag, is up to 5 mm");
+  EXPECT_EQ(note(R"(, "/gravity/acceleration": [0.01, 0.05])"), "none");
+  const auto begin = std::clock();
+  EXPECT_EQ(
+      note(R"(, "/gravity/acceleration": [0.3, 0.4], "/initial/x": {"from": 0, "to": 1e-4, "count": 300},
+                 "damping_ratio": {"from": 0.05, "to": 0.3, "count": 1000})"),
+      "f, the static sag, is up to 4 mm");
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  EXPECT_LT(seconds, 0.2) << "600 000 lines, of which two have a sag of their own";
 }
 
 TEST_F(Analyse, CopesWithAnAtlasOfWhichNothingIsDone) {

@@ -124,6 +124,34 @@ TEST(Sensitivity, HasOneEntryPerCombinationOfTheOthersAndNoneForTheDirection) {
   EXPECT_EQ(found[7].lines, (std::vector<std::size_t>{6, 7}));
 }
 
+TEST(Sensitivity, FollowsEachParameterAlongLinesThatShareAllOthers) {
+  const std::vector<plan::Axis> axes{axis("thickness", "m", {0.001, 0.002}), axis("unbalance", "kg m", {0.0}),
+                                     axis("friction", "1", {0.1, 0.2, 0.3}),
+                                     axis("damping_ratio", "1", {0.05, 0.1, 0.15, 0.2}),
+                                     axis("speed_ratio", "1", {0.1})};
+  std::vector<LineSummary> lines;
+  for (const double thickness : axes[0].values) {
+    for (const double friction : axes[2].values) {
+      for (const double damping : axes[3].values) {
+        lines.emplace_back();
+        lines.back().parameters = {thickness, 0.0, friction, damping};
+      }
+    }
+  }
+  const auto parameters = parameters_of(axes);
+  const auto found = sensitivities(parameters, lines, SpeedScale(3));
+  ASSERT_EQ(found.size(), 3U * 4U + 2U * 4U + 2U * 3U);
+  for (const auto& one : found) {
+    const auto& along = parameters[one.parameter].values;
+    ASSERT_EQ(one.lines.size(), along.size());
+    for (std::size_t i = 0; i < along.size(); ++i) {
+      auto expected = lines[one.lines.front()].parameters;
+      expected[one.parameter] = along[i];
+      EXPECT_EQ(lines[one.lines[i]].parameters, expected);
+    }
+  }
+}
+
 TEST(Sensitivity, ShowsARegionThatEndsAtAGapAsFarAsItIsKnown) {
   const std::vector<plan::Axis> axes{axis("damping_ratio", "1", {0.05, 0.1}),
                                      axis("speed_ratio", "1", {0.1})};

@@ -90,6 +90,20 @@ TEST(SceneOfLine, LeavesASceneWithoutSweptQuantitiesAsItIs) {
   EXPECT_EQ(settings::resolved_json(own), settings::resolved_json(scene));
 }
 
+TEST(SceneOfLine, OfShortAxesIsThatOfTheWholeGridButForTheGrid) {
+  const settings::Scene scene =
+      scene_with(R"(, "friction": [0, 0.3], "unbalance": [0, 1e-5], "/unbalance/phase": [1, 2])");
+  const Grid grid(scene);
+  const settings::Scene lean = with_short_axes(scene);
+  EXPECT_EQ(Grid(lean).point_count(), 1U);
+  for (std::size_t line = 0; line < grid.line_count(); ++line) {
+    const auto parameters = grid.parameters(grid.point(line, 0));
+    settings::Scene own = scene_of_line(lean, parameters);
+    own.grid = scene.grid;
+    EXPECT_EQ(settings::resolved_json(own), settings::resolved_json(scene_of_line(scene, parameters)));
+  }
+}
+
 TEST(SceneOfLine, RefusesALineOfAnotherGrid) {
   const PointParameters line{.speed_ratio = 0.1, .damping_ratio = 0.1, .thickness = 0.001};
   EXPECT_THROW(static_cast<void>(scene_of_line(scene_with(""), line)), std::invalid_argument);
