@@ -27,14 +27,21 @@ bool is_free(const FreeShaft& shaft, std::span<const double> sections, const Clo
   return true;
 }
 
+/// Between the ring and the longest blade [m].
+double clearance_of_longest(const settings::Scene& line) {
+  if (!line.unequal_blades) return line.clearance();
+  const auto errors = line.unequal_blades->errors(line.blades.count);
+  return line.clearance() - std::ranges::max_element(errors, {}, &effects::BladeError::length)->length;
+}
+
 }  // namespace
 
 PointContact contact_at(const settings::Scene& line, double speed_ratio, const ContactEvidence& evidence,
                         const ClosingTolerance& tolerance) {
   using effects::Effects;
   if (evidence.figure > 0.0) return {Contact::touches};
-  // Unequal blades may be longer than the scene's, and a ring that is a body comes towards them.
-  const bool reach_no_farther = !line.unequal_blades && !effects::acts<&Effects::ring_body>(line);
+  // A ring that is a body comes towards the blades.
+  const bool reach_no_farther = !effects::acts<&Effects::ring_body>(line);
   const bool are_as_long = reach_no_farther && !effects::acts<&Effects::wear>(line);
   bool is_pushed = false;        // by a ring, between two sections
   double kept = kNotANumber;     // [m] distance from the ring within which no tip comes
@@ -47,8 +54,8 @@ PointContact contact_at(const settings::Scene& line, double speed_ratio, const C
     if (are_as_long) reached = shaft.distance() + vibration.bound();
   }
   const bool stays_inside =
-      kept > 0.0 ||
-      (reach_no_farther && evidence.max_displacement < line.clearance() - std::abs(line.rotor.misalignment));
+      kept > 0.0 || (reach_no_farther && evidence.max_displacement <
+                                             clearance_of_longest(line) - std::abs(line.rotor.misalignment));
   PointContact result{Contact::none, evidence.nearest_miss};
   if (!std::isfinite(evidence.figure)) {
     if (is_pushed || reached < 0.0) return {Contact::touches};

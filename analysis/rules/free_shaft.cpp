@@ -1,6 +1,7 @@
 #include "analysis/rules/free_shaft.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <numbers>
 
 namespace rubatlas::analysis {
@@ -28,10 +29,12 @@ Complex circle_of(const settings::Scene& line, double speed) {
 /// Radius of the ring less that of the outermost tip's circle round f [m].
 double room_of(const settings::Scene& line, Complex circle) {
   const double reach = line.blades.hub_radius + line.blades.length;
+  const auto errors = line.unequal_blades.value_or(effects::UnequalBlades{}).errors(line.blades.count);
   double farthest = 0.0;
   for (int blade = 0; blade < line.blades.count; ++blade) {
-    const double angle = 2.0 * std::numbers::pi * blade / line.blades.count;
-    farthest = std::max(farthest, std::abs(circle + std::polar(reach, angle)));
+    const auto& error = errors[static_cast<std::size_t>(blade)];
+    const double angle = 2.0 * std::numbers::pi * blade / line.blades.count + error.angle;
+    farthest = std::max(farthest, std::abs(circle + std::polar(reach + error.length, angle)));
   }
   return line.ring.radius - farthest;
 }

@@ -38,7 +38,7 @@ class FreeShaft {
   /// One revolution later.
   [[nodiscard]] Vibration later(const Vibration& now) const;
 
-  /// Least distance between a tip of equal blades and the ring at any time, without any vibration [m].
+  /// Least distance between the tip of an unworn blade and the ring at any time, without any vibration [m].
   [[nodiscard]] double distance() const { return room_ - std::abs(centre_); }
   /// A lower bound of it from here on while `left` dies out.
   [[nodiscard]] double distance(const Vibration& left) const;

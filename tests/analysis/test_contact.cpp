@@ -133,6 +133,49 @@ TEST(Contact, AShaftThatNeverComesSoFarTouchesNothingWhateverMovesIt) {
             Contact::not_known);
 }
 
+TEST(Contact, UnequalBladesReachAsFarAsTheLongestOfThem) {
+  const auto contact = [](const std::string& misalignment, const std::string& errors) {
+    return at_rest(
+               R"("rotor": {"misalignment": )" + misalignment + R"(}, "unequal_blades": {)" + errors + "}",
+               {.sections = kAtRest})
+        .contact;
+  };
+  EXPECT_EQ(contact("0.0099", R"("length_errors": [0, 2e-4, 0])"), Contact::touches);
+  EXPECT_EQ(contact("0.0097", R"("length_errors": [0, 2e-4, 0])"), Contact::none);
+  EXPECT_EQ(contact("0.0101", R"("length_errors": [-2e-4, -2e-4, -3e-4])"), Contact::none);
+  EXPECT_EQ(contact("0.0101", R"("length_errors": [-2e-4, 0, -3e-4])"), Contact::touches);
+  effects::UnequalBlades drawn;
+  drawn.length_spread = 1e-3;
+  const auto errors = drawn.errors(3);
+  const double room = 0.01 - std::max({errors[0].length, errors[1].length, errors[2].length});
+  EXPECT_EQ(contact(std::to_string(room + 1e-5), R"("length_spread": 1e-3)"), Contact::touches);
+  EXPECT_EQ(contact(std::to_string(room - 1e-5), R"("length_spread": 1e-3)"), Contact::none);
+  const std::string supported =
+      R"("rotor": {"misalignment": 0.005}, "support": {"stiffness_yy": 50}, "unequal_blades":
+         {"length_errors": [1e-3, 0, 0]})";
+  EXPECT_EQ(at_rest(supported, {.max_displacement = 3.9e-3}).contact, Contact::none);
+  EXPECT_EQ(at_rest(supported, {.max_displacement = 4.1e-3}).contact, Contact::not_known);
+}
+
+TEST(Contact, TheDistanceOfUnequalBladesIsThatOfTheOutermostTipOnItsCircle) {
+  auto scene = loaded();
+  scene.unequal_blades.emplace().length_errors = {-5e-3, 1e-3, 0.0};
+  scene.unequal_blades->angle_errors = {0.0, -1.0, 0.5};
+  const auto errors = scene.unequal_blades->errors(3);
+  const FreeShaft shaft(scene, kSpeedOfFreeMotion);
+  double farthest = 0.0;  // of all tips, at 3600 angles of a revolution
+  for (int step = 0; step < 3600; ++step) {
+    const auto turn = std::polar(1.0, 2.0 * std::numbers::pi * step / 3600.0);
+    for (std::size_t blade = 0; blade < 3; ++blade) {
+      const double place = 2.0 * std::numbers::pi * static_cast<double>(blade) / 3.0 + errors[blade].angle;
+      const auto tip =
+          shaft.deflection() + turn * (shaft.circle() + std::polar(0.1 + errors[blade].length, place));
+      farthest = std::max(farthest, std::abs(tip + FreeShaft::Complex(0.0, 0.005)));
+    }
+  }
+  EXPECT_NEAR(shaft.distance(), 0.11 - farthest, 1e-8);
+}
+
 TEST(Contact, WornBladesAreFartherFromTheRingThanTheSceneSays) {
   const std::string wears = R"("wear": {"rate": 1e-5, "carries_over": true}, "rotor": {"misalignment": )";
   const auto apart = at_rest(wears + "0.009}", {.figure = 0.0, .sections = kAtRest});
