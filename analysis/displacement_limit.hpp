@@ -15,7 +15,8 @@ struct DisplacementLimit {
   [[nodiscard]] double metres(const settings::Scene& scene) const;
 };
 
-constexpr const char* kLimitAllowed = "a number above zero and one of m, mm, um, µm, clearances";
+constexpr const char* kLimitAllowed =
+    "a number above zero with its unit, m, mm, um, µm or clearances, such as \"0.5 mm\"";
 
 /// None for a text that is not what `kLimitAllowed` says.
 [[nodiscard]] std::optional<DisplacementLimit> parse_limit(std::string_view text);

@@ -220,10 +220,11 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       "Edges of the atlas, as rubatlas edges writes them: the table quotes their uncertainty");
   std::optional<std::string> limit;
   analyse
-      ->add_option("--limit", limit,
-                   "Displacement before which signs of rubbing in the spectrum are looked for; default: 0.5 "
-                   "clearances")
-      ->type_name("LENGTH");
+      ->add_option(
+          "--limit", limit,
+          "Displacement from equilibrium before which signs of rubbing in the spectrum are looked for: a "
+          "number with its unit, m, mm, um, µm or clearances, such as \"2 mm\"; default: 0.5 clearances")
+      ->type_name("\"NUMBER UNIT\"");
   analyse->add_flag("--overwrite", analyse_command.overwrite,
                     "Replace existing maps and table; no other files");
 

@@ -90,12 +90,22 @@ class Judge(FolderTest):
                 ([TINY / "gravity.h5"], "no maps beside it; `rubatlas analyse` makes them"),
                 ([TINY / "maps.h5"], "these are maps; they stand behind their atlas"),
                 ([TINY / "atlas.h5", TINY / "rings_maps.h5"], "was not made from the scene of"),
-                ([self.folder / "none.h5"], "no such file"),
                 ([TINY / "atlas.h5", TINY / "maps.h5", "--json", self.folder / "mine.json"], "this file is there")):
             ended = self.run_command("judge", *arguments)
             self.assertEqual((ended.returncode, ended.stdout), (2, ""), arguments)
             self.assertRegex(ended.stderr, r"\Ajudge: [^\n]*\n\Z")
             self.assertIn(says, ended.stderr)
+
+    def test_an_atlas_that_is_not_there_has_the_exit_code_that_the_program_gives_it(self):
+        program = subprocess.run([os.environ["RUBATLAS_PROGRAM"], "status", self.folder / "none.h5"],
+                                 capture_output=True, check=False)
+        tools = [self.run_command("judge", self.folder / "none.h5"),
+                 subprocess.run([ROOT / "tools/rubatlas-plot", "map", self.folder / "none.h5", "-o",
+                                 self.folder / "map.png"], capture_output=True, text=True, check=False)]
+        for ended in tools:
+            self.assertEqual((ended.returncode, ended.stdout), (program.returncode, ""))
+            self.assertRegex(ended.stderr, r"\A[^\n]*none.h5: no such file\n\Z")
+        self.assertEqual(program.returncode, 3)
 
 
 class StatementMap(FolderTest):

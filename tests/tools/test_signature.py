@@ -1,6 +1,7 @@
 """The signs of rubbing blades in a spectrum, on spectra whose answers are known beforehand."""
 import os
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -152,9 +153,12 @@ class SignatureOfAnAtlas(unittest.TestCase):
                 rubatlas.command("analyse", TINY / "atlas.h5", output=maps, limit=limit, overwrite=True)
                 with h5py.File(maps) as file:
                     np.testing.assert_allclose(file["signature/limit"], metres, rtol=1e-12)
-            allowed = "not a number above zero and one of m, mm, um, µm, clearances"
+            allowed = "not a number above zero with its unit, m, mm, um, µm or clearances, such as \"0.5 mm\""
             with self.assertRaisesRegex(rubatlas.AtlasError, f"rubatlas: --limit 1 inch: {allowed}"):
                 rubatlas.command("analyse", TINY / "atlas.h5", output=maps, limit="1 inch", overwrite=True)
+        told = subprocess.run([os.environ["RUBATLAS_PROGRAM"], "analyse", "--help"], capture_output=True, text=True,
+                              check=True).stdout
+        self.assertRegex(told, "--limit .*a number with its unit, m, mm, um, µm or clearances, such as \"2 mm\"")
 
 
 if __name__ == "__main__":

@@ -102,7 +102,7 @@ class AtlasError(Exception):
 
 
 class UnreadableFile(AtlasError):
-    """The file is damaged, or not of the kind that it should be."""
+    """The file is not there, is damaged, or not of the kind that it should be."""
 
 
 def text(value):
@@ -130,9 +130,9 @@ EDGES = "a file of edges that `rubatlas edges` has written"  # as `reading` name
 def reading(path, what, *kinds):
     """The HDF5 file at `path`, of one of these kinds, open within the block; what cannot be read is not `what`."""
     if not os.path.exists(path):
-        raise AtlasError(f"{path}: no such file")
+        raise UnreadableFile(f"{path}: no such file")
     if not os.path.isfile(path):
-        raise AtlasError(f"{path}: not a file")
+        raise UnreadableFile(f"{path}: not a file")
     try:
         with open(path, "rb") as content:
             if content.read(1) == b"{":

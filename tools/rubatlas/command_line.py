@@ -204,8 +204,8 @@ def end_with_the_reader():
 
 
 def end_on_mistakes(work):
-    """Runs `work`; a mistake is a sentence on stderr and exit code 2, a damaged file or a refusal by the system 3,
-    never a traceback."""
+    """Runs `work`; a mistake is a sentence on stderr and exit code 2, a missing or damaged file or a refusal by the
+    system 3, as of the program, never a traceback."""
     name = pathlib.Path(sys.argv[0]).name
     try:
         work()
