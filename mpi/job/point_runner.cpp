@@ -1,8 +1,10 @@
 #include "mpi/job/point_runner.hpp"
-#include "assembly/make_line_solver.hpp"
 
 #include <algorithm>
 #include <utility>
+
+#include "assembly/make_line_solver.hpp"
+#include "plan/scene_of_line.hpp"
 
 namespace rubatlas::mpi {
 namespace {
@@ -13,8 +15,8 @@ constexpr std::chrono::seconds kReportPeriod{1};
 }  // namespace
 
 PointRunner::PointRunner(const settings::Scene& scene, const plan::Grid& grid, atlas::AtlasWriter& writer)
-    : scene_(scene), grid_(grid), writer_(writer) {
-  if (plan::Pieces(scene).per_line() > 1) traces_.emplace(scene);
+    : scene_(plan::with_short_axes(scene)), grid_(grid), writer_(writer) {
+  if (plan::Pieces(scene).per_line() > 1) traces_.emplace(scene_);
 }
 
 point::LineSolver& PointRunner::solver_of(std::size_t line) {

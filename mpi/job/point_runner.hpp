@@ -81,7 +81,7 @@ class PointRunner {
   void keep_row(point::PointOutcome& outcome, PointReport& computed);
   point::LineSolver& solver_of(std::size_t line);
 
-  const settings::Scene& scene_;
+  const settings::Scene scene_;          ///< its axes have one value each
   std::optional<TraceRecorder> traces_;  ///< where lines are swept in pieces; solvers refer to its scene
   const plan::Grid& grid_;
   atlas::AtlasWriter& writer_;
