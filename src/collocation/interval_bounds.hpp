@@ -16,21 +16,18 @@ namespace {
 template <std::size_t kWidth>
 class IntervalBounds {
  public:
-  IntervalBounds(const Machine& machine, const Interval& interval) : machine_(machine), interval_(interval) {}
-
-  void bounds(Bounds& result) const {
-    const Interval& in = interval_;
+  static void bounds(const Machine& machine, const Interval& in, Bounds& result) {
     const TipInTime& leader = in.leader();
     const Number gap_measure(leader.gap_measure);
     result.gap_measure = leader.start_gap_measure - change(leader.start_gap_measure, gap_measure);
     if (!(result.gap_measure > 0.0))
       result.gap_measure = later(leader.start_gap_measure, gap_measure).least();
-    const Place<double> start = start_from_ring();
-    const Place<Number> nodes = from_ring();
+    const Place<double> start = start_from_ring(machine, in);
+    const Place<Number> nodes = from_ring(machine, in);
     result.moved = root_of_squares(change(start.x, nodes.x), change(start.y, nodes.y));
     result.latest = Number(in.elapsed).largest();
     result.distance = root_of_squares(start.x, start.y) + result.moved;
-    if (!(result.distance < machine_.ring_radius))
+    if (!(result.distance < machine.ring_radius))
       result.distance =
           root_of_squares(largest_magnitude(start.x, nodes.x), largest_magnitude(start.y, nodes.y));
     result.cone_left = std::numeric_limits<double>::infinity();
@@ -51,12 +48,11 @@ class IntervalBounds {
         of_tip.shortening = largest(tip.at_start.shortening, shortening);
       of_tip.stays = k == 0 || stays(tip);
     }
-    if (in.leans()) inclined_bounds(result);
+    if (in.leans()) inclined_bounds(in, result);
   }
 
   /// Those of blades under an inclined load besides.
-  void inclined_bounds(Bounds& result) const {
-    const Interval& in = interval_;
+  static void inclined_bounds(const Interval& in, Bounds& result) {
     result.chart_left = least_left(in.leader().start_chart_left, in.leader().chart_left);
     for (std::size_t k = 1; k < in.tips.size(); ++k) {
       const TipInTime& tip = in.tips[k];
@@ -71,7 +67,8 @@ class IntervalBounds {
     if (in.start_argument > 0.0) result.time_slope = std::min(result.time_slope, slope);
   }
 
-  double gap(const Blade& blade, const std::array<double, 2>& offset) const {
+  static double gap(const Machine& machine, const Interval& in, const Blade& blade,
+                    const std::array<double, 2>& offset) {
     // Of the tip of a straight blade (MODEL 2); `x, y`: er of the leading one.
     const auto gap_of = [&](const auto& shaft, const auto& x, const auto& y) {
       const auto er_x = x * offset[0] - y * offset[1];
@@ -79,9 +76,8 @@ class IntervalBounds {
       return (shaft.x * shaft.x + shaft.y * shaft.y) +
              ((shaft.x * er_x + shaft.y * er_y) * (2.0 * blade.reach) + blade.closing);
     };
-    const Interval& in = interval_;
-    const double start = gap_of(start_from_ring(), in.blade[0], in.blade[1]);
-    return later(start, gap_of(from_ring(), Number(in.blade_x), Number(in.blade_y))).largest();
+    const double start = gap_of(start_from_ring(machine, in), in.blade[0], in.blade[1]);
+    return later(start, gap_of(from_ring(machine, in), Number(in.blade_x), Number(in.blade_y))).largest();
   }
 
   [[nodiscard]] static double largest_displacement(const Interval& in) {
@@ -89,7 +85,7 @@ class IntervalBounds {
                            largest_magnitude(in.shaft.start[1], Number(in.shaft.y)));
   }
 
-  static double largest(const AtPlaces& values) {
+  static double upper_bound(const AtPlaces& values) {
     AtNodes nodes;
     std::copy(values.begin() + 1, values.end(), nodes.value.begin());
     return largest(values[0], Number(nodes));
@@ -105,17 +101,14 @@ class IntervalBounds {
   struct Place {
     Value x, y;
   };
-  [[nodiscard]] Place<double> start_from_ring() const {
-    const Interval& in = interval_;
+  static Place<double> start_from_ring(const Machine& machine, const Interval& in) {
     return {in.shaft.start[0] - in.ring.start[0],
-            in.shaft.start[1] - in.ring.start[1] + machine_.misalignment};
+            in.shaft.start[1] - in.ring.start[1] + machine.misalignment};
   }
-  Place<Number> from_ring() const {
-    const Body& shaft = interval_.shaft;
-    const Body& ring = interval_.ring;
-    const double misalignment = machine_.misalignment;
-    if (!machine_.ring.moves) return {Number(shaft.x), Number(shaft.y) + misalignment};
-    return {Number(shaft.x) - Number(ring.x), Number(shaft.y) - Number(ring.y) + misalignment};
+  static Place<Number> from_ring(const Machine& machine, const Interval& in) {
+    if (!machine.ring.moves) return {Number(in.shaft.x), Number(in.shaft.y) + machine.misalignment};
+    return {Number(in.shaft.x) - Number(in.ring.x),
+            Number(in.shaft.y) - Number(in.ring.y) + machine.misalignment};
   }
   /// Coefficients 1 to 8; coefficient 0 is the value at the start.
   static Number later(double start, const Number& at_nodes) {
@@ -132,24 +125,24 @@ class IntervalBounds {
     return *std::min_element(each.value.begin(), each.value.end() - 1);
   }
   /// The least of what is left of a guard's quantity; where it ends the interval it is zero at the end.
-  double least_left(double start, const AtNodes& left) const {
+  static double least_left(double start, const AtNodes& left) {
     return std::min(start, least_before_end(later(start, Number(left))));
   }
-  double least(double start, const Number& at_nodes) const {
+  static double least(double start, const Number& at_nodes) {
     return std::min(start, later(start, at_nodes).least());
   }
   /// Whether a further blade stays bent, and on its branch.
-  bool stays(const TipInTime& tip) const {
+  static bool stays(const TipInTime& tip) {
     const double left = tip.blade->held_beyond_ring && !tip.straight
                             ? least_firmness(tip)
                             : later(tip.start_gap_measure, Number(tip.gap_measure)).least();
     return !tip.lifts_off && later(tip.start_square, Number(tip.square)).least() > 0.0 && left > 0.0;
   }
-  double least_firmness(const TipInTime& tip) const {
+  static double least_firmness(const TipInTime& tip) {
     return least(sum_of_products(kNodeTables.value_at_start, tip.firmness), Number(tip.firmness));
   }
   /// Positive where it keeps the sign that it has at the start.
-  double least_magnitude(double start, const Number& at_nodes) const {
+  static double least_magnitude(double start, const Number& at_nodes) {
     return least(std::abs(start), at_nodes * std::copysign(1.0, start));
   }
   static double largest(double start, const Number& at_nodes) {
@@ -158,28 +151,7 @@ class IntervalBounds {
   static double largest_magnitude(double start, const Number& at_nodes) {
     return std::max(std::abs(start), magnitude(later(start, at_nodes)).largest());
   }
-
-  const Machine& machine_;
-  const Interval& interval_;
 };
-
-template <std::size_t kWidth>
-void bounds_of(const Machine& machine, const Interval& interval, Bounds& bounds) {
-  IntervalBounds<kWidth>(machine, interval).bounds(bounds);
-}
-template <std::size_t kWidth>
-double largest_displacement_of(const Interval& interval) {
-  return IntervalBounds<kWidth>::largest_displacement(interval);
-}
-template <std::size_t kWidth>
-double upper_bound_of(const AtPlaces& values) {
-  return IntervalBounds<kWidth>::largest(values);
-}
-template <std::size_t kWidth>
-double largest_gap_of(const Machine& machine, const Interval& interval, const Blade& blade,
-                      const std::array<double, 2>& offset) {
-  return IntervalBounds<kWidth>(machine, interval).gap(blade, offset);
-}
 
 }  // namespace
 }  // namespace rubatlas::collocation

@@ -10,9 +10,10 @@ namespace rubatlas::collocation {
 
 IntervalSolver solver_avx2() {
 #ifdef __AVX2__
-  return {solved<4>,          inclined_solved<4>, rigid_solved<4>,
-          inclined_branch<4>, bounds_of<4>,       largest_displacement_of<4>,
-          upper_bound_of<4>,  largest_gap_of<4>,  read_stretch<4>};
+  using Limits = IntervalBounds<4>;
+  return {solved<4>,           inclined_solved<4>, rigid_solved<4>,
+          inclined_branch<4>,  Limits::bounds,     Limits::largest_displacement,
+          Limits::upper_bound, Limits::gap,        read_stretch<4>};
 #else
   return solver_in_pairs();
 #endif

@@ -10,9 +10,10 @@ namespace rubatlas::collocation {
 
 IntervalSolver solver_avx512() {
 #if defined(__AVX512DQ__) && defined(__AVX512VL__)
-  return {solved<8, 4>,       inclined_solved<8>, rigid_solved<8>,
-          inclined_branch<8>, bounds_of<8>,       largest_displacement_of<8>,
-          upper_bound_of<8>,  largest_gap_of<8>,  read_stretch<8>};
+  using Limits = IntervalBounds<8>;
+  return {solved<8, 4>,        inclined_solved<8>, rigid_solved<8>,
+          inclined_branch<8>,  Limits::bounds,     Limits::largest_displacement,
+          Limits::upper_bound, Limits::gap,        read_stretch<8>};
 #else
   return solver_in_pairs();
 #endif

@@ -9,9 +9,10 @@
 namespace rubatlas::collocation {
 
 IntervalSolver solver_in_pairs() {
-  return {solved<2>,          inclined_solved<2>, rigid_solved<2>,
-          inclined_branch<2>, bounds_of<2>,       largest_displacement_of<2>,
-          upper_bound_of<2>,  largest_gap_of<2>,  read_stretch<2>};
+  using Limits = IntervalBounds<2>;
+  return {solved<2>,           inclined_solved<2>, rigid_solved<2>,
+          inclined_branch<2>,  Limits::bounds,     Limits::largest_displacement,
+          Limits::upper_bound, Limits::gap,        read_stretch<2>};
 }
 
 IntervalSolver interval_solver() {
