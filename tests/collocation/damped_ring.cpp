@@ -14,7 +14,7 @@
 #include "collocation/interval.hpp"
 #include "contact/damped_ring.hpp"
 #include "lone_contacts.hpp"
-#include "modes/collocated.hpp"
+#include "modes/phase.hpp"
 #include "several_blades.hpp"
 
 namespace rubatlas::test {
@@ -30,7 +30,7 @@ class TimeOnArcs final : public modes::MotionListener {
   void piece(trajectory::MotionPiece& piece) override {
     if (piece.contact_count() == 0) return;
     in_contact += piece.end() - piece.begin();
-    if (dynamic_cast<modes::Collocated*>(&piece) != nullptr) on_arcs += piece.end() - piece.begin();
+    if (dynamic_cast<modes::Phase*>(&piece) != nullptr) on_arcs += piece.end() - piece.begin();
   }
   double in_contact = 0.0;
   double on_arcs = 0.0;

@@ -12,7 +12,7 @@
 #include "../support/hybrid_motion.hpp"
 #include "collocation/interval.hpp"
 #include "contact/directed_elastica.hpp"
-#include "modes/collocated.hpp"
+#include "modes/phase.hpp"
 #include "rotor/any_shaft.hpp"
 #include "rotor/blade_set.hpp"
 
@@ -91,7 +91,7 @@ class CountedEvents final : public modes::MotionListener {
     if (piece.contact_count() < 2) return;
     const double length = piece.end() - piece.begin();
     time_of_several += length;
-    if (dynamic_cast<modes::Collocated*>(&piece) != nullptr) collocated_time_of_several += length;
+    if (dynamic_cast<modes::Phase*>(&piece) != nullptr) collocated_time_of_several += length;
   }
   std::array<int, 32> count{};
   double time_of_several = 0.0;             ///< while several blades touch

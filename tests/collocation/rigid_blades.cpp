@@ -16,7 +16,7 @@
 #include "contact/damped_ring.hpp"
 #include "contact/elastic_ring_contact.hpp"
 #include "lone_contacts.hpp"
-#include "modes/collocated.hpp"
+#include "modes/phase.hpp"
 #include "several_blades.hpp"
 
 namespace rubatlas::test {
@@ -38,7 +38,7 @@ class TipsAtRest final : public modes::MotionListener {
   TipsAtRest(double tip_speed, double largest_coefficient)
       : tip_speed_(tip_speed), largest_coefficient_(largest_coefficient) {}
   void piece(trajectory::MotionPiece& piece) override {
-    if (dynamic_cast<modes::Collocated*>(&piece) == nullptr || piece.contact_count() != 1) return;
+    if (dynamic_cast<modes::Phase*>(&piece) == nullptr || piece.contact_count() != 1) return;
     for (const double share : {0.1, 0.5, 0.9, 1.0}) {
       const double time = piece.begin() + share * (piece.end() - piece.begin());
       const trajectory::ContactForce there = piece.contact_force(0, time);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "compliant_motion.hpp"
-#include "modes/collocated.hpp"
 #include "modes/phase.hpp"
 
 namespace rubatlas::test::compliant {
@@ -78,7 +77,7 @@ int expect_both_solvers_agree(const ElasticaContact& blade, double speed_ratio, 
   modes::WorkMeter meter;
   const modes::ContactLimits limits{1e-13, 0.5};
   const modes::ContactSetup setup{&machine, law.get(), limits, &meter};
-  modes::Collocated collocated(setup);
+  const auto collocated = modes::phases_on_arcs(setup);
   const auto stepped = assembly::phases_in_steps(setup);
   int compared = 0;
   for (const modes::Event& event : motion.witness.events) {
@@ -91,7 +90,7 @@ int expect_both_solvers_agree(const ElasticaContact& blade, double speed_ratio, 
     const contact::Pose at = pose_at(speed_ratio, blades, event);
     if (!blade.starts_unloaded(at, contact.slip)) contact.bending = blade.solve(at, contact.slip).value();
     const Place start{event.time, rotor::shaft_and_ring(event.state)};
-    const Ended one = follow(collocated, meter, start, contact);
+    const Ended one = follow(collocated->of({contact}), meter, start, contact);
     const Ended other = follow(stepped->of({contact}), meter, start, contact);
     EXPECT_EQ(one.end.guard, other.end.guard);
     EXPECT_EQ(one.end.blade, other.end.blade);
