@@ -8,12 +8,14 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "contact/tip.hpp"
 #include "modes/rest_judge.hpp"
 #include "rotor/bodies.hpp"
+#include "rotor/skimming.hpp"
 
 namespace rubatlas::modes {
 
@@ -24,7 +26,20 @@ class SkimmingJudge : public TipPlaces {
 
   /// Whether the first of these contacts, which touches down in a state, begins to skim: the blade would be
   /// thrown back and return, at most `hop` [m] away from the ring.
-  [[nodiscard]] bool begins(const State& state, const std::vector<OpenContact>& contacts, double hop) const;
+  [[nodiscard]] bool begins(const State& state, const std::vector<OpenContact>& contacts, double hop) const {
+    const auto others = force_of_others(state, contacts);
+    if (!others) return false;
+    // Hops are seldom that low: the blade's force is asked for only where they are.
+    OpenContact contact = contacts.front();
+    const contact::Geometry& geometry = law_->geometry(contact.blade);
+    const contact::BladeDirection er = direction(contact.blade, state);
+    const contact::Pose at = pose(contact.blade, state, er);
+    const double rate = contact::gap_rate(geometry, at, angular_speed(state));
+    const double curvature = rotor::free_gap_curvature(machine(), geometry, er, at, state, *others);
+    if (!(rate * rate <= 4.0 * ring_radius() * hop * curvature)) return false;
+    const auto balance = weigh(state, contact, *others);
+    return balance && balance->share > 0.0 && balance->share < 1.0;
+  }
 
   /// Free motion against the blade's full force.
   struct Balance {
@@ -34,10 +49,29 @@ class SkimmingJudge : public TipPlaces {
   };
   /// Of a contact, where the others push the rotor so [N]; none where it has no force.
   [[nodiscard]] std::optional<Balance> weigh(const State& state, OpenContact& contact,
-                                             const std::complex<double>& others) const;
+                                             const std::complex<double>& others) const {
+    const contact::Geometry& geometry = law_->geometry(contact.blade);
+    const contact::BladeDirection er = direction(contact.blade, state);
+    const contact::Pose at = pose(contact.blade, state, er);
+    contact::TipForce force{};
+    contact::Pose on_ring = at;
+    on_ring.gap = 0.0;  // what rounding leaves of it would bend a blade of hardly any friction
+    if (!law_->respond({on_ring, angular_speed(state)}, contact, force)) return std::nullopt;
+    const double share = rotor::skimming_share(machine(), geometry, er, at, state, others, force);
+    return Balance{contact::on_rotor(force, er), share, rotor::share_of(force, share)};
+  }
   /// What the contacts behind the first do to the rotor [N]; none where one has no force.
   [[nodiscard]] std::optional<std::complex<double>> force_of_others(
-      const State& state, const std::vector<OpenContact>& contacts) const;
+      const State& state, const std::vector<OpenContact>& contacts) const {
+    std::complex<double> sum;
+    for (std::size_t i = 1; i < contacts.size(); ++i) {
+      OpenContact open = contacts[i];
+      contact::TipForce force{};
+      if (!law_->respond(tip_place(open.blade, state), open, force)) return std::nullopt;
+      sum += contact::on_rotor(force, direction(open.blade, state));
+    }
+    return sum;
+  }
 };
 
 }  // namespace rubatlas::modes
