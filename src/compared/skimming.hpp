@@ -1,4 +1,5 @@
-/// Mode: a tip that skims the ring (`modes/skimming_judge.hpp`), that of the first contact.
+/// Mode: a tip that skims the ring (`rotor/skimming.hpp`), that of the first contact: at λ = 0 it leaves the
+/// ring, at λ = 1 it is pressed in. The others bear their full force.
 #pragma once
 
 #include <complex>
@@ -9,14 +10,13 @@
 #include "compared/guards.hpp"
 #include "compared/solved.hpp"
 #include "contact/tip.hpp"
-#include "modes/skimming_judge.hpp"
 #include "rotor/skimming.hpp"
 
 namespace rubatlas::compared {
 
 class Skimming : public Solved {
  public:
-  explicit Skimming(const modes::ContactSetup& setup) : Solved(setup), judge_(*setup.machine, *setup.law) {}
+  explicit Skimming(const modes::ContactSetup& setup) : Solved(setup) {}
   static constexpr bool kBendsFollowPath = false;
 
   bool operator()(const FullState& state, FullState& derivative) {
@@ -26,7 +26,7 @@ class Skimming : public Solved {
     for (std::size_t i = 1; i < contacts_.size(); ++i) {
       if (!add_force(state, first, i, others)) return false;
     }
-    const auto balance = judge_.weigh(state, contacts_.front(), others);
+    const auto balance = weigh(state, contacts_.front(), others);
     if (!balance) return false;
     forces_.front() = balance->force;
     set_derivative(state, others + balance->share * balance->pushed, derivative);
@@ -73,13 +73,36 @@ class Skimming : public Solved {
  private:
   static constexpr double kShareBeyond = 1e-9;  ///< of λ past 0 or 1
 
-  [[nodiscard]] std::optional<modes::SkimmingJudge::Balance> balance_in(const FullState& state) const {
-    modes::OpenContact contact = contacts_.front();
-    const auto others = judge_.force_of_others(state, contacts_);
-    return others ? judge_.weigh(state, contact, *others) : std::nullopt;
+  /// Free motion against the blade's full force.
+  struct Balance {
+    std::complex<double> pushed;  ///< its full force on the rotor [N]
+    double share;                 ///< λ
+    contact::TipForce force;      ///< λ times the force
+  };
+  /// Of a contact, where the others push the rotor so [N]; none where it has no force.
+  [[nodiscard]] std::optional<Balance> weigh(const FullState& state, modes::OpenContact& contact,
+                                             const std::complex<double>& others) const {
+    const contact::Geometry& geometry = law_->geometry(contact.blade);
+    const contact::BladeDirection er = direction(contact.blade, state);
+    const contact::Pose at = pose(contact.blade, state, er);
+    contact::TipForce force{};
+    contact::Pose on_ring = at;
+    on_ring.gap = 0.0;  // what rounding leaves of it would bend a blade of hardly any friction
+    if (!law_->respond({on_ring, angular_speed(state)}, contact, force)) return std::nullopt;
+    const double share = rotor::skimming_share(machine(), geometry, er, at, state, others, force);
+    return Balance{contact::on_rotor(force, er), share, rotor::share_of(force, share)};
   }
-
-  modes::SkimmingJudge judge_;
+  [[nodiscard]] std::optional<Balance> balance_in(const FullState& state) const {
+    std::complex<double> others;
+    for (std::size_t i = 1; i < contacts_.size(); ++i) {
+      modes::OpenContact open = contacts_[i];
+      contact::TipForce force{};
+      if (!law_->respond(tip_place(open.blade, state), open, force)) return std::nullopt;
+      others += contact::on_rotor(force, direction(open.blade, state));
+    }
+    modes::OpenContact contact = contacts_.front();
+    return weigh(state, contact, others);
+  }
 };
 
 }  // namespace rubatlas::compared

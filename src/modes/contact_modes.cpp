@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <complex>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "modes/rest_of_rigid_blades.hpp"
-#include "modes/skimming_judge.hpp"
+#include "rotor/skimming.hpp"
 
 namespace rubatlas::modes {
 
@@ -67,17 +68,31 @@ bool ContactModes::place_ring(rotor::ShaftAndRing& bodies, double time, std::vec
   return false;
 }
 
+/// The blade would be thrown back and return, where the force starts from a finite value (MODEL 4.2, 4.6):
+/// such hops grow smaller without end. In their limit the tip stays on g = 0 under the share λ of its force
+/// that holds it there (`rotor/skimming.hpp`), 0 <= λ <= 1. The others bear their full force.
 bool ContactModes::begins_to_skim(const rotor::ContactState& state,
                                   std::vector<OpenContact>& contacts) const {
   // In tolerances: hops lower than this are replaced by their limit (MODEL 4.9). Their height may grow by
   // some tens of tolerances while the force changes along the ring.
   constexpr double kUnresolvedHop = 1.0;
-  const auto change_places = [&contacts] { std::swap(contacts.front(), contacts.back()); };
-  change_places();
-  const bool skims =
-      SkimmingJudge(machine(), *law_).begins(state, contacts, kUnresolvedHop * limits_.tolerance);
-  if (!skims) change_places();
-  return skims;
+  const OpenContact& touches = contacts.back();
+  std::complex<double> others;
+  for (const OpenContact& open : std::span(contacts).first(contacts.size() - 1))
+    others +=
+        contact::on_rotor(law_->force(open, tip_place(open.blade, state)), direction(open.blade, state));
+  const contact::Geometry& geometry = law_->geometry(touches.blade);
+  const contact::BladeDirection er = direction(touches.blade, state);
+  const TipPlace at{pose(touches.blade, state, er), angular_speed(state)};
+  const double rate = contact::gap_rate(geometry, at.pose, at.speed);
+  const double curvature = rotor::free_gap_curvature(machine(), geometry, er, at.pose, state, others);
+  const double hop = kUnresolvedHop * limits_.tolerance;
+  if (!(rate * rate <= 4.0 * ring_radius() * hop * curvature)) return false;
+  const double share =
+      rotor::skimming_share(machine(), geometry, er, at.pose, state, others, law_->force(touches, at));
+  if (!(share > 0.0 && share < 1.0)) return false;
+  std::swap(contacts.front(), contacts.back());
+  return true;
 }
 
 bool ContactModes::let_go(const rotor::ContactState& state, const std::vector<OpenContact>& contacts,
