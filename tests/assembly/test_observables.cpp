@@ -115,7 +115,7 @@ std::vector<ObservedScenes> observed_scenes(std::uint64_t shards, std::uint64_t 
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(First, Observables, ::testing::ValuesIn(observed_scenes(4, 15)));
+INSTANTIATE_TEST_SUITE_P(First, Observables, ::testing::ValuesIn(observed_scenes(4, 10)));
 INSTANTIATE_TEST_SUITE_P(Slow, Observables, ::testing::ValuesIn(observed_scenes(10, 50)));
 
 }  // namespace
