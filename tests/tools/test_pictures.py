@@ -33,7 +33,8 @@ class ToolsPictures(PicturesCase):
 
     def test_all_pictures_of_an_atlas_are_drawn_at_once(self):
         with tempfile.TemporaryDirectory() as folder:
-            ended = run("all", TINY / "atlas.h5", "--maps", TINY / "maps.h5", "-o", folder)
+            with unplaced():
+                ended = run("all", TINY / "atlas.h5", "--maps", TINY / "maps.h5", "-o", folder)
             self.assertEqual((ended.returncode, ended.stderr), (0, ""))
             drawn = sorted(pathlib.Path(folder).iterdir())
             for path in drawn:
@@ -47,7 +48,8 @@ class ToolsPictures(PicturesCase):
         with tempfile.TemporaryDirectory() as folder:
             atlas, pictures = pathlib.Path(folder) / "atlas.h5", pathlib.Path(folder) / "pictures"
             shutil.copy(TINY / "atlas.h5", atlas)
-            ended = run("all", atlas, "--dpi", 20, "-o", pictures)
+            with unplaced():
+                ended = run("all", atlas, "--dpi", 20, "-o", pictures)
             self.assertEqual(ended.returncode, 0)
             self.assertEqual(re.findall(r"all: (\w+) is left out: .*: no maps beside it", ended.stderr),
                              ["signature", "margin"])
