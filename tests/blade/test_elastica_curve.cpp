@@ -22,11 +22,11 @@ double relative(double found, long double exact) {
   return std::abs(static_cast<double>((static_cast<long double>(found) - exact) / exact));
 }
 
-TEST(ElasticaCurve, EqualsTheLegendreFormHoweverSmallTheLoad) {
+void expect_the_legendre_form(int count) {
   for (const double friction : frictions()) {
     const ElasticaCurve curve(friction);
     const double allowed = friction <= 1.0 ? kAccuracyUpToOne : kAccuracy;
-    for (const double bending : bendings(friction, 0.6, 40)) {
+    for (const double bending : bendings(friction, 0.6, count)) {
       const auto exact = legendre_form(friction, bending);
       const CurvePoint point = curve.at(bending);
       ASSERT_LE(relative(point.load, exact.load), allowed) << "friction " << friction << ", u " << bending;
@@ -36,6 +36,13 @@ TEST(ElasticaCurve, EqualsTheLegendreFormHoweverSmallTheLoad) {
           << "friction " << friction << ", u " << bending;
     }
   }
+}
+
+TEST(ElasticaCurve, EqualsTheLegendreFormHoweverSmallTheLoad) {
+  expect_the_legendre_form(10);
+}
+TEST(ElasticaCurveSlow, EqualsTheLegendreFormAtManyLoads) {
+  expect_the_legendre_form(40);
 }
 
 TEST(ElasticaCurve, EqualsTheExactEquilibriumOnAFineGrid) {
@@ -81,10 +88,10 @@ double slope_error(double found, long double exact, double value, double bending
   return std::abs(static_cast<double>(found - exact)) / scale;
 }
 
-TEST(ElasticaCurve, SlopesAreTheDerivativesOfTheCurve) {
+void expect_slopes_of_the_curve(int count) {
   for (const double friction : frictions()) {
     const ElasticaCurve curve(friction);
-    for (const double bending : bendings(friction, 0.6, 10)) {
+    for (const double bending : bendings(friction, 0.6, count)) {
       const auto exact = legendre_slopes(friction, bending);
       const CurvePoint point = curve.at(bending);
       ASSERT_LE(slope_error(point.load_slope, exact.load, point.load, bending), kSlopeAccuracy)
@@ -97,6 +104,13 @@ TEST(ElasticaCurve, SlopesAreTheDerivativesOfTheCurve) {
           << friction << ", u " << bending;
     }
   }
+}
+
+TEST(ElasticaCurve, SlopesAreTheDerivativesOfTheCurve) {
+  expect_slopes_of_the_curve(5);
+}
+TEST(ElasticaCurveSlow, SlopesAreTheDerivativesOfTheCurveAtManyLoads) {
+  expect_slopes_of_the_curve(10);
 }
 
 TEST(ElasticaCurve, StartsUnloadedOrAtTheEulerLoad) {
