@@ -177,7 +177,7 @@ void expect_contacts_of_all_laws_within_tolerance(int each, double tolerance) {
 }
 
 TEST(InclinedContacts, ErrByTheToleranceWhereverTheyEnd) {
-  expect_contacts_of_all_laws_within_tolerance(200, 1e-9);
+  expect_contacts_of_all_laws_within_tolerance(100, 1e-9);
 }
 
 TEST(InclinedContactsSlow, ErrByTheToleranceInTwoThousandContactsOfEachLaw) {

@@ -110,8 +110,7 @@ double largest_difference(const std::vector<trajectory::State>& a, const std::ve
 /// Returns the events of the motions by collocation.
 template <class MakeFriction>
 CountedEvents expect_motions_as_in_steps(contact::LoadDirection direction, MakeFriction make_friction,
-                                         int fewest_blades = 2) {
-  const int rotors = fewest_blades > 2 ? 40 : 80;
+                                         int rotors, int fewest_blades = 2) {
   constexpr double kTolerance = 1e-9;
   std::mt19937_64 generator(11);
   CountedEvents events;
@@ -139,54 +138,79 @@ CountedEvents expect_motions_as_in_steps(contact::LoadDirection direction, MakeF
   return events;
 }
 
+constexpr int kOfFewBlades = 80;
+constexpr int kOfSeveral = 16;
+constexpr int kOfManyRotors = 40;
+
 TEST(InclinedMotions, UnderANormalLoadAreAsInSteps) {
   const CountedEvents events = expect_motions_as_in_steps(
-      contact::LoadDirection::normal, [](double friction) { return contact::Friction::coulomb(friction); });
+      contact::LoadDirection::normal, [](double friction) { return contact::Friction::coulomb(friction); },
+      kOfFewBlades);
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::slip_reversal)], 0);
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::snap)], 0);
 }
 
 TEST(InclinedMotions, OfTipsThatStickAreAsInSteps) {
-  const CountedEvents events = expect_motions_as_in_steps(contact::LoadDirection::axial, [](double friction) {
-    return contact::Friction::sticking(friction, 1.2 * friction);
-  });
+  const CountedEvents events = expect_motions_as_in_steps(
+      contact::LoadDirection::axial,
+      [](double friction) { return contact::Friction::sticking(friction, 1.2 * friction); }, kOfFewBlades);
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::slip_reversal)], 0);
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::comes_loose)], 0);
 }
 
 TEST(InclinedMotions, UnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
-  const CountedEvents events = expect_motions_as_in_steps(contact::LoadDirection::axial, [](double friction) {
-    return contact::Friction::regularised(friction, 0.01);
-  });
+  const CountedEvents events = expect_motions_as_in_steps(
+      contact::LoadDirection::axial,
+      [](double friction) { return contact::Friction::regularised(friction, 0.01); }, kOfFewBlades);
   EXPECT_GT(events.count[static_cast<std::size_t>(modes::Guard::lift_off)], 0);
 }
 
 /// Eight to eleven blades, of which several touch at once; arcs take nearly all of that time.
 template <class MakeFriction>
-void expect_several_as_in_steps(contact::LoadDirection direction, MakeFriction make_friction) {
-  const CountedEvents events = expect_motions_as_in_steps(direction, make_friction, 8);
+void expect_several_as_in_steps(contact::LoadDirection direction, MakeFriction make_friction, int rotors) {
+  const CountedEvents events = expect_motions_as_in_steps(direction, make_friction, rotors, 8);
   constexpr double kShareOfArcs = 0.997;
   EXPECT_GE(events.collocated_time_of_several, kShareOfArcs * events.time_of_several)
       << events.time_of_several;
 }
 
+void expect_several_under_a_normal_load_as_in_steps(int rotors) {
+  expect_several_as_in_steps(
+      contact::LoadDirection::normal, [](double friction) { return contact::Friction::coulomb(friction); },
+      rotors);
+}
 TEST(InclinedMotions, OfSeveralBladesUnderANormalLoadAreAsInSteps) {
-  expect_several_as_in_steps(contact::LoadDirection::normal,
-                             [](double friction) { return contact::Friction::coulomb(friction); });
+  expect_several_under_a_normal_load_as_in_steps(kOfSeveral);
+}
+TEST(InclinedMotionsSlow, OfSeveralBladesUnderANormalLoadAreAsInSteps) {
+  expect_several_under_a_normal_load_as_in_steps(kOfManyRotors);
 }
 
+void expect_several_that_stick_as_in_steps(int rotors) {
+  expect_several_as_in_steps(
+      contact::LoadDirection::axial,
+      [](double friction) { return contact::Friction::sticking(friction, 1.2 * friction); }, rotors);
+}
 TEST(InclinedMotions, OfSeveralTipsThatStickAreAsInSteps) {
-  expect_several_as_in_steps(contact::LoadDirection::axial, [](double friction) {
-    return contact::Friction::sticking(friction, 1.2 * friction);
-  });
+  expect_several_that_stick_as_in_steps(kOfSeveral);
+}
+TEST(InclinedMotionsSlow, OfSeveralTipsThatStickAreAsInSteps) {
+  expect_several_that_stick_as_in_steps(kOfManyRotors);
 }
 
-TEST(InclinedMotions, OfSeveralTipsUnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
+void expect_several_under_stribeck_as_in_steps(int rotors) {
   for (const auto direction : {contact::LoadDirection::axial, contact::LoadDirection::normal}) {
-    expect_several_as_in_steps(direction, [](double friction) {
-      return contact::Friction::stribeck(2.0 * friction, friction, 0.03, 0.01);
-    });
+    expect_several_as_in_steps(
+        direction,
+        [](double friction) { return contact::Friction::stribeck(2.0 * friction, friction, 0.03, 0.01); },
+        rotors);
   }
+}
+TEST(InclinedMotions, OfSeveralTipsUnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
+  expect_several_under_stribeck_as_in_steps(kOfSeveral);
+}
+TEST(InclinedMotionsSlow, OfSeveralTipsUnderFrictionThatDependsOnTheVelocityAreAsInSteps) {
+  expect_several_under_stribeck_as_in_steps(kOfManyRotors);
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ void expect_no_sample_above_the_largest_load(int least_contacts) {
 }
 
 TEST(LargestLoads, OfContactsOfSeveralBladesAreNotSmallerThanAnySampleOfThem) {
-  expect_no_sample_above_the_largest_load(1000);
+  expect_no_sample_above_the_largest_load(400);
 }
 TEST(LargestLoadsSlow, OfTenThousandContactsOfSeveralBladesAreNotSmallerThanAnySampleOfThem) {
   expect_no_sample_above_the_largest_load(10'000);
