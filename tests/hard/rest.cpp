@@ -147,9 +147,9 @@ TEST(Rest, OfATipThatSticksLastsUntilFrictionCannotHoldItAtFiveTolerances) {
   EXPECT_GT(found.resting, 2);
 }
 TEST(Rest, OfAnAllButStraightBladeEndsWhereItsPlaceIsLostAtFiveTolerances) {
-  // Sweeps have to find its load closer than the shaft's velocity asks for. Next to its place's end the load of
-  // start 531 follows from its place so steeply that rounding may end its rest early, in some two of a hundred
-  // motions that differ by 1e-10: then it counts as chaotic.
+  // Sweeps have to find its load closer than the shaft's velocity asks for. Next to its place's end the load
+  // of start 531 follows from its place so steeply that rounding may end its rest early, in some two of a
+  // hundred motions that differ by 1e-10: then it counts as chaotic.
   Found found;
   for (const std::uint64_t seed : {173, 531, 1173, 1407}) look_at(seed, false, found);
   for (const std::uint64_t seed : {641, 762}) look_at(seed, true, found);

@@ -117,7 +117,7 @@ class Edges(EdgesTest):
         for text in (job.stdout, (self.directory / "table.md").read_text()):
             self.assertRegex(" ".join(text.split()), r"region 2 begins (at|between) Ω = 0\.\d+")
             self.assertRegex(" ".join(text.split()), r"region 2 begins .* as the speed grows, and .* as it falls")
-        self.assertRegex(job.stdout, r"0\.\d+\(\d+\)-0\.")
+        self.assertRegex(job.stdout, r"0\.\d+\(\d+\)-\(0\.")
         with h5py.File(self.directory / "maps.h5", "r") as maps:
             self.assertEqual({name: list(maps["edges"][name][...]) for name in maps["edges"]},
                              {name: list(values) for name, values in found.items()})
