@@ -22,11 +22,9 @@ namespace {
 
 constexpr std::string_view kTableKey =
     "Regions: first and last Ω, aperiodic share, peak displacement; beyond an Ω in parentheses a region may "
-    "go "
-    "on, since points are not done there or the grid ends, and digits in parentheses are the uncertainty of "
-    "an "
-    "edge. Triggers: Ω, rise of the displacement in mm and as a ratio. Not covered: too few points are done "
-    "there.";
+    "go on, since points are not done there or the grid ends, and digits in parentheses are the uncertainty "
+    "of an edge. Triggers: Ω, rise of the displacement in mm and as a ratio. Not covered: too few points are "
+    "done there.";
 constexpr std::string_view kBasinsKey =
     "Share of the initial states, with its standard error, that leads to each attractor. No attractor: the "
     "motion is not resolved, or the point is not done. Regions and triggers are about lines from one "
