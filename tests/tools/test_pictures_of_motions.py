@@ -105,6 +105,9 @@ class PicturesOfMotions(PicturesCase):
             self.assertEqual([set(file["passings"][:][file["branch"][:] == which]) for which in (0, 1)], [{1}, {2}])
             doubling = file["events/kind"][:] == 2
             self.assertEqual(set(file["events/passings"][:][doubling]), {1})
+            ends_at = file["events/parameter"][:][doubling][0]
+        stable = Figure("branch", path).figure.axes[1].lines[0].get_xydata()
+        np.testing.assert_allclose(stable[-1], [ends_at, 1.0], rtol=1e-6, err_msg="its largest multiplier is 1 there")
 
         def entries():
             legend = Figure("branch", path).figure.axes[0].get_legend()

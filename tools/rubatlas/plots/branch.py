@@ -84,20 +84,26 @@ def draw_curve(branch, options):
 
 def stretches(stable, parameter, values, events):
     """(stable or not, parameter, value) of each stretch of one stability; neighbours meet at the bifurcation between
-    them, unless the value jumps there, as multipliers do at a grazing."""
+    them, of which `events` has the parameters and the values, unless the value jumps there, as multipliers do at a
+    grazing."""
     begins = [0, *(1 + np.flatnonzero(stable[1:] != stable[:-1])), len(stable)]
     joints = []
     for after in begins[1:-1]:
         low, high = sorted(parameter[after - 1:after + 1])
-        between = [*events[(events >= low) & (events <= high)], 0.5 * (low + high)][0]
-        share = (between - parameter[after - 1]) / (parameter[after] - parameter[after - 1] or 1.0)
         before, behind = values[after - 1:after + 1]
+        meeting = [(at, value) for at, value in zip(*events) if low <= at <= high]
+        at, value = [*meeting, (0.5 * (low + high), 0.5 * (before + behind))][0]
         met = max(before, behind) < JUMP * min(before, behind)
-        joints.append(([between], [before + share * (behind - before)]) if met else ([], []))
+        joints.append(([at], [value]) if met else ([], []))
     for number, (first, end) in enumerate(zip(begins[:-1], begins[1:])):
         parts = [*joints[max(0, number - 1):number], (parameter[first:end], values[first:end]),
                  *joints[number:number + 1]]
         yield stable[first], *(np.concatenate(part) for part in zip(*parts))
+
+
+def largest_of(multipliers):
+    """Modulus of the first of them."""
+    return np.hypot(*np.moveaxis(multipliers[:, 0], -1, 0))
 
 
 def branch_handles(branch):
@@ -122,14 +128,17 @@ def branch_handles(branch):
 def draw_branch(branch, options):
     figure, ((upper,), (lower,)) = style.subplots(options, 2, 1, (9.0, 6.0), [3, 2], sharex=True)
     number, stable = branch["branch"], branch["stability"] == 1
-    parameter, size = branch["parameter"], size_of(branch["section"])
-    events = branch["events/parameter"] if "events/kind" in branch else np.array([])
-    largest = np.hypot(*np.moveaxis(branch["multipliers"][:, 0], -1, 0))
+    parameter = branch["parameter"]
     for which in np.unique(number):
         here = number == which
         colour = colour_of(which)
-        for panel, values in ((upper, size), (lower, largest)):
-            for is_stable, along, value in stretches(stable[here], parameter[here], values[here], events):
+        for panel, values_of_orbits, name in ((upper, size_of, "section"), (lower, largest_of, "multipliers")):
+            events = [], []
+            if "events/kind" in branch:
+                of_it = branch["events/branch"] == which
+                events = branch["events/parameter"][of_it], values_of_orbits(branch[f"events/{name}"][of_it])
+            values = values_of_orbits(branch[name][here])
+            for is_stable, along, value in stretches(stable[here], parameter[here], values, events):
                 kind = "-" if is_stable else ":"
                 panel.plot(along, value, kind, color=colour, lw=WIDTHS[kind])
     if "events/kind" in branch:
