@@ -40,8 +40,9 @@ class Series {
     std::ranges::copy_if(lines_, std::back_inserter(open),
                          [&](const LineSummary* line) { return present(*line) && !closed(*line); });
     if (!open.empty()) {
-      std::vector<double> picked;
-      for (const auto* line : open) picked.push_back(line->parameters[axis_]);
+      std::vector<double> picked(open.size());
+      std::ranges::transform(open, picked.begin(),
+                             [&](const LineSummary* line) { return line->parameters[axis_]; });
       parts.push_back(fmt::format("known as {} {}", from_to(extent(*open.front()), extent(*open.back())),
                                   parameter_.where(picked, values_)));
     }
