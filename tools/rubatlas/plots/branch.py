@@ -133,10 +133,11 @@ def draw_branch(branch, options):
         here = number == which
         colour = colour_of(which)
         for panel, values_of_orbits, name in ((upper, size_of, "section"), (lower, largest_of, "multipliers")):
-            events = [], []
+            events = np.empty((2, 0))
             if "events/kind" in branch:
                 of_it = branch["events/branch"] == which
-                events = branch["events/parameter"][of_it], values_of_orbits(branch[f"events/{name}"][of_it])
+                events = np.array([branch["events/parameter"][of_it],
+                                   values_of_orbits(branch[f"events/{name}"][of_it])])
             values = values_of_orbits(branch[name][here])
             for is_stable, along, value in stretches(stable[here], parameter[here], values, events):
                 kind = "-" if is_stable else ":"
