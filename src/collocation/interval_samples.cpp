@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "integrate/newton_between.hpp"
@@ -46,10 +47,10 @@ integrate::Sample largest_of(const AtPlaces& values, double from, double to, dou
 double crossing(const AtPlaces& values, std::size_t place) {
   const AtPlaces& at = kNodeTables.place;
   const auto value = [&](double fraction) { return sum_of_products(basis_at(fraction), values); };
-  if (values[place - 1] <= 0.0) {
-    // It starts at zero, and rises from there.
-    const auto mean = [&](double fraction) { return (value(fraction) - values[place - 1]) / fraction; };
-    return integrate::root_between(mean, 0.0, at[place], std::abs(mean(at[place])), mean(at[place]));
+  if (place == 1 && values[0] <= std::numeric_limits<double>::min()) {
+    // It starts at zero, or at what stands for zero with a sign, and rises from there.
+    const auto mean = [&](double fraction) { return (value(fraction) - values[0]) / fraction; };
+    return integrate::root_between(mean, 0.0, at[1], std::abs(mean(at[1])), mean(at[1]));
   }
   return integrate::root_between(value, at[place - 1], at[place], values[place - 1], values[place]);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rubatlas::test {
 namespace {
@@ -37,6 +38,19 @@ Interval swing_with_top(const Course& course, double top, double curvature) {
     interval.shaft.ax[i] = -2.0 * curvature;
   }
   return interval;
+}
+
+TEST(IntervalSamples, WhatSetsOutFromZeroPassesThroughItWhereItComesBack) {
+  // A tip whose slip has just reversed, and reverses again before the first node: v starts as the least
+  // number that has a sign, which is not where it comes back.
+  constexpr double kBack = 0.005;  // θ
+  for (const double start : {0.0, std::numeric_limits<double>::min()}) {
+    AtPlaces values{start};
+    for (std::size_t i = 1; i < kPlaces; ++i)
+      values[i] = kNodeTables.place[i] * (kBack - kNodeTables.place[i]);
+    ASSERT_LT(values[1], 0.0);
+    EXPECT_NEAR(crossing(values, 1), kBack, 1e-12) << start;
+  }
 }
 
 TEST(IntervalSamples, FindWhereAnIntervalHasReachedATime) {
