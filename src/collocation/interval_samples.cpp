@@ -48,7 +48,7 @@ double crossing(const AtPlaces& values, std::size_t place) {
   const AtPlaces& at = kNodeTables.place;
   const auto value = [&](double fraction) { return sum_of_products(basis_at(fraction), values); };
   if (place == 1 && values[0] <= std::numeric_limits<double>::min()) {
-    // It starts at zero, or at what stands for zero with a sign, and rises from there.
+    // It starts at zero, or at the least positive number (`ContactArc::set_out`), and rises from there.
     const auto mean = [&](double fraction) { return (value(fraction) - values[0]) / fraction; };
     return integrate::root_between(mean, 0.0, at[1], std::abs(mean(at[1])), mean(at[1]));
   }
