@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <complex>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -14,8 +13,6 @@
 #include "analysis/rules/free_shaft.hpp"
 #include "analysis/rules/scene_tolerances.hpp"
 #include "analysis/rules/starts.hpp"
-#include "plan/grid.hpp"
-#include "plan/scene_of_line.hpp"
 #include "settings/effects/list.hpp"
 #include "settings/quantity.hpp"
 
@@ -213,30 +210,6 @@ std::string contact_law_text(const settings::Scene& scene) {
   return fmt::format("elastic_ring, {:g}{} N/m (rigid blades, yielding ring)", stiffness.front(), range);
 }
 
-/// The largest deflection under constant loads [m] of the lines on which it is not small; 0 where there are
-/// none.
-double largest_sag(const settings::Scene& scene) {
-  constexpr double kSmall = 0.1;  // beside the clearance
-  if (!scene.gravity && !scene.side_load) return 0.0;
-  // A shaft at rest asks neither for what has an axis of its own (damping, friction, speed, ...) nor for
-  // where it has started.
-  settings::Scene at_rest = scene;
-  for (const auto& axis : settings::grid_axes()) (at_rest.grid.*axis.values).resize(1);
-  for (auto& axis : at_rest.grid.swept) {
-    if (is_initial_axis(settings::axis_name(axis.pointer))) axis.values.resize(1);
-  }
-  const plan::Grid grid(at_rest);
-  const settings::Scene short_axes = plan::with_short_axes(at_rest);
-  double largest = 0.0;
-  for (std::size_t number = 0; number < grid.line_count(); ++number) {
-    const auto at = grid.parameters(grid.point(number, 0));
-    const auto line = plan::scene_of_line(short_axes, at);
-    const double sag = std::abs(FreeShaft(line, at.speed_ratio).deflection());
-    if (sag > kSmall * length_scale(line)) largest = std::max(largest, sag);
-  }
-  return largest;
-}
-
 }  // namespace
 
 std::vector<std::string> notes_on_effects(const settings::Scene& scene) {
@@ -250,7 +223,8 @@ std::vector<std::string> notes_on_effects(const settings::Scene& scene) {
     notes.emplace_back(
         "Ω ramps, so that no motion repeats itself: aperiodic and unresolved points, and their regions, are "
         "run-ups, and tell nothing of motions at constant speed");
-  if (const double sag = largest_sag(scene); sag > 0.0)
+  constexpr double kSmall = 0.1;  // beside the clearance
+  if (const double sag = largest_sag(scene, kSmall); sag > 0.0)
     notes.push_back(fmt::format(
         "f, the static sag, is up to {} and part of the displacement from the unloaded equilibrium, in which "
         "regions and triggers are sought: a trigger, and region 1 below it, that is said to be absent may be "

@@ -4,6 +4,12 @@
 #include <cstddef>
 #include <numbers>
 
+#include "analysis/rules/scene_tolerances.hpp"
+#include "analysis/rules/starts.hpp"
+#include "plan/grid.hpp"
+#include "plan/scene_of_line.hpp"
+#include "settings/quantity.hpp"
+
 namespace rubatlas::analysis {
 namespace {
 
@@ -88,6 +94,27 @@ double FreeShaft::distance(const Vibration& left) const {
     farthest = std::min(farthest, corner);
   }
   return room_ - farthest;
+}
+
+double largest_sag(const settings::Scene& scene, double share) {
+  if (!scene.gravity && !scene.side_load) return 0.0;
+  // A shaft at rest asks neither for what has an axis of its own (damping, friction, speed, ...) nor for
+  // where it has started.
+  settings::Scene at_rest = scene;
+  for (const auto& axis : settings::grid_axes()) (at_rest.grid.*axis.values).resize(1);
+  for (auto& axis : at_rest.grid.swept) {
+    if (is_initial_axis(settings::axis_name(axis.pointer))) axis.values.resize(1);
+  }
+  const plan::Grid grid(at_rest);
+  const settings::Scene short_axes = plan::with_short_axes(at_rest);
+  double largest = 0.0;
+  for (std::size_t number = 0; number < grid.line_count(); ++number) {
+    const auto at = grid.parameters(grid.point(number, 0));
+    const auto line = plan::scene_of_line(short_axes, at);
+    const double sag = std::abs(FreeShaft(line, at.speed_ratio).deflection());
+    if (sag > share * length_scale(line)) largest = std::max(largest, sag);
+  }
+  return largest;
 }
 
 }  // namespace rubatlas::analysis

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "analysis/report_parts.hpp"
+#include "analysis/rules/free_shaft.hpp"
 #include "mpi/commands/explain_text.hpp"
 #include "mpi/commands/reach.hpp"
 #include "settings/quantity.hpp"
@@ -78,25 +79,11 @@ void doubt_damping(const settings::Scene& scene, std::vector<std::string>& doubt
       damping, damping, damping / 100.0));
 }
 
-/// Deflection of the shaft under the largest weight and the largest constant load [m].
-double largest_sag(const settings::Scene& scene) {
-  const auto most = [&](std::string_view pointer) {
-    return std::ranges::max(settings::values_in(scene, pointer));
-  };
-  const double frequency = std::ranges::min(settings::values_in(scene, "/rotor/natural_frequency"));
-  const double stiffness =
-      std::ranges::min(settings::values_in(scene, "/rotor/mass")) * frequency * frequency;
-  double sag = 0.0;
-  if (scene.gravity) sag += most("/gravity/acceleration") / (frequency * frequency);
-  if (scene.side_load) sag += most("/side_load/force") / stiffness;
-  return sag;
-}
-
 void doubt_sag(const settings::Scene& scene, std::vector<std::string>& doubts) {
-  const double sag = largest_sag(scene);
-  if (sag <= 0.0 || sag <= scene.clearance()) return;
-  doubts.push_back(fmt::format("the static load alone moves the shaft by {}, more than the clearance of {}",
-                               length(sag), length(scene.clearance())));
+  const double sag = analysis::largest_sag(scene, 1.0);
+  if (sag == 0.0) return;
+  doubts.push_back(
+      fmt::format("the static load alone moves the shaft by {}, more than the clearance", length(sag)));
 }
 
 void doubt_contact(const settings::Scene& scene, std::vector<std::string>& doubts) {

@@ -18,13 +18,11 @@
 namespace rubatlas::mpi {
 namespace {
 
-/// All doubts about the default rotor with some sections changed, one a line.
-std::string doubts(const std::string& sections) {
+/// All doubts about the default rotor with some sections changed, and these axes, one a line.
+std::string doubts(const std::string& sections, const std::string& axes = "") {
+  const std::string scene = R"({"grid": {"speed_ratio": 0.5)" + axes + "}, " + sections + "}";
   std::string text;
-  for (const auto& doubt :
-       doubts_about(settings::parse_scene(R"({"grid": {"speed_ratio": 0.5}, )" + sections + "}"))) {
-    text += doubt + "\n";
-  }
+  for (const auto& doubt : doubts_about(settings::parse_scene(scene))) text += doubt + "\n";
   return text;
 }
 
@@ -56,8 +54,15 @@ TEST(Notes, ADampingRatioInPerCentIsNamed) {
 
 TEST(Notes, AStaticLoadThatPushesTheShaftThroughTheClearanceIsNamed) {
   EXPECT_EQ(doubts(R"("gravity": {})"),
-            "the static load alone moves the shaft by 98.1 mm, more than the clearance of 10 mm\n");
+            "the static load alone moves the shaft by 98.1 mm, more than the clearance\n");
   EXPECT_EQ(doubts(R"("side_load": {"force": 0.9})"), "") << "9 mm";
+  const auto under_weight = [](const std::string& radii) {
+    return doubts(R"("gravity": {"acceleration": 2}, "sweep": "independent")",
+                  R"(, "/ring/radius": )" + radii);
+  };
+  EXPECT_EQ(under_weight("[0.111, 0.125]"),
+            "the static load alone moves the shaft by 20 mm, more than the clearance\n");
+  EXPECT_EQ(under_weight("[0.121, 0.125]"), "") << "21 mm and 25 mm are left";
 }
 
 TEST(Notes, BladesThatNeverReachTheRingAreNamed) {
