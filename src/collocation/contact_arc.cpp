@@ -7,18 +7,6 @@
 #include <limits>
 
 namespace rubatlas::collocation {
-namespace {
-
-/// Error of a velocity between the nodes that is allowed at the tolerance ε, against the clearance: this
-/// times ε^(9/14). The motion goes on from the ends of intervals, whose errors fall as about the fourteenth
-/// power of the length where those between the nodes fall as the ninth; orders and factor come from an
-/// experiment (`tests/collocation`). Whatever has to be accurate within an interval is solved for
-/// (`solved_at`).
-constexpr double kBetweenNodes = 0.27;
-constexpr double kOrderAtEnd = 14.0;
-constexpr double kCareWithSeveral = 4.0;  ///< blades: coefficients fall less evenly
-
-}  // namespace
 
 ContactArc::ContactArc(const rotor::Machine& machine, Law& law, double tolerance, double max_shortening)
     : whole_(&machine),
@@ -28,8 +16,7 @@ ContactArc::ContactArc(const rotor::Machine& machine, Law& law, double tolerance
       solver_(interval_solver()),
       predictor_(machine, law),
       straight_tips_(machine, law),
-      allowed_(kBetweenNodes * whole_->constants.length_scale *
-               std::pow(tolerance / whole_->constants.length_scale, Predictor::kOrder / kOrderAtEnd)),
+      allowed_(allowed_between_nodes(tolerance, whole_->constants.length_scale)),
       ring_keeps_load_(!law.ends_at_ring() && !law.is_rigid()),
       earlier_(machine.ring_body() != nullptr, whole_->constants.length_scale) {
   law.take_machine(machine);
@@ -67,35 +54,6 @@ bool ContactArc::solve(Interval& interval, bool warm, double closest) {
   const bool solved = law_->solve(machine(), {velocity, warm, step}, interval);
   sweeps_ += static_cast<std::uint64_t>(interval.sweeps);
   return solved;
-}
-
-/// Error of a velocity in what is allowed, between the nodes and at the end. Between the nodes: the first
-/// coefficient of the acceleration that eight nodes leave out, as the last ones fall, times the largest value
-/// of the integral of its polynomial.
-double ContactArc::error_of(const Interval& interval) const {
-  const double fifth = interval.coefficients[5];
-  const double sixth = interval.coefficients[6];
-  const double seventh = interval.coefficients[7];
-  // Coefficients fall by a common factor; one alone may vanish.
-  constexpr double kShareOfSixth = 0.3;
-  constexpr double kLargestIntegral = 0.5 / (2.0 * kNodes + 1.0);
-  const double last = std::max(seventh, kShareOfSixth * sixth);
-  const double fall = last > 0.0 ? std::min(1.0, std::sqrt(last / std::max(fifth, last))) : 0.0;
-  const double between = std::max(seventh, kShareOfSixth * sixth * fall) * fall * kLargestIntegral;
-  // Quadrature leaves out the fifteenth coefficient at the end: much less, unless coefficients hardly fall.
-  const double fall_by_four = (fall * fall) * (fall * fall);
-  double left_out = last * fall_by_four * fall_by_four;
-  // Of a load that makes the ring yield in its own time the ring keeps what is left out between the nodes.
-  if (ring_keeps_load_) left_out = last * fall * fall;
-  // Under friction with a velocity those of the force fall as slowly as those of the time, and the last ones
-  // of both meet in their product.
-  if (!law_->has_slip_state() && last > 0.0)
-    left_out = std::max(left_out, last * last * fall / std::max(interval.coefficients[0], last));
-  const double at_end = left_out * kLargestIntegral;
-  double error = std::max(between / allowed_, at_end / tolerance_);
-  if (interval.tips.size() > 1) error *= kCareWithSeveral;
-  const double length = interval.elapsed.at_end() / machine_.longest_interval();
-  return length > 1.0 ? std::max(error, std::pow(length, Predictor::kOrder)) : error;
 }
 
 /// The stretch of an interval up to θ, solved for itself; may take the place of the interval.

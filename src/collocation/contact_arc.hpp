@@ -221,6 +221,14 @@ class ContactArc {
   void start_next(Interval& next) const;
   /// `closest`: what sweeps may leave, if less than usual, where a guard is located [m per unit τ].
   bool solve(Interval& interval, bool warm, double closest = std::numeric_limits<double>::infinity());
+  /// One elastic blade under an axial load makes all of the force.
+  [[nodiscard]] bool is_lone() const { return tips_.size() == 1 && !law_->leans() && !law_->is_rigid(); }
+  /// Error of a velocity between the nodes: what is allowed, at a tolerance [m] and now, and that of an
+  /// interval [m per unit τ].
+  [[nodiscard]] static double allowed_between_nodes(double tolerance, double clearance);
+  [[nodiscard]] double allowed_between_nodes() const;
+  [[nodiscard]] static double error_between_nodes(const Interval& interval);
+  [[nodiscard]] double left_out_of_lone(const Interval& interval) const;
   [[nodiscard]] double error_of(const Interval& interval) const;
   [[nodiscard]] bool stays_valid(const Ending& ending) const;
   [[nodiscard]] Ending guard_of_contacts(const Interval& interval) const;
@@ -313,8 +321,8 @@ class ContactArc {
   std::vector<contact::BladeDirection> from_first_;  ///< of the blades from the place of blade 0
   std::vector<int> others_;                          ///< blades that do not touch
   std::vector<BladeStart> tips_;                     ///< where the next interval starts; the first leads
-  double allowed_;        ///< error of a velocity between the nodes [m per unit τ]
-  bool ring_keeps_load_;  ///< it yields to elastic blades in its own time
+  double allowed_;                                   ///< between the nodes, for all but a lone blade
+  bool ring_keeps_load_;                             ///< it yields to elastic blades in its own time
 
   bool begins_ = false;  ///< the next interval is the first of the contact
   Ending ending_;

@@ -113,7 +113,8 @@ void ContactArc::predict(const Touch& touch, const TipPlace& at) {
                     .at = at,
                     .direction = er_,
                     .bending = end_.bending,
-                    .acceleration = acceleration});
+                    .acceleration = acceleration,
+                    .is_lone = is_lone()});
 }
 
 /// The leading blade, then the others.

@@ -182,13 +182,16 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
   // so where friction hardly moves the tip.
   constexpr double kToRounding = 0.05;  // of what v may be
   constexpr double kCloser = 1e-3;      // than other guards, in θ
+  constexpr double kCloseAtJump = 0.1;  // likewise, where the force jumps
   const Guard guard = guard_of_tip(ending.guard);
   const bool loosens = guard == Guard::loosening;
   const bool may_rest = law_->leans() && (loosens || guard == Guard::slip_reversal);
   const double rounding = loosens ? std::numeric_limits<double>::epsilon() * machine().ring_radius
                                   : kToRounding * slip_rounding();
   const double closest = may_rest ? rounding : std::numeric_limits<double>::infinity();
-  const double closest_fraction = may_rest ? kCloser * kClosestFraction : kClosestFraction;
+  const double closest_fraction = kClosestFraction * (may_rest                        ? kCloser
+                                                      : guard == Guard::slip_reversal ? kCloseAtJump
+                                                                                      : 1.0);
   double left_before = std::numeric_limits<double>::infinity();
   double fraction_before = 1.0;
   for (int i = 0; i < (may_rest ? 2 * kTimes : kTimes); ++i) {

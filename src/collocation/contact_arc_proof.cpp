@@ -40,7 +40,13 @@ bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) 
   const double bound = gap_bound(blade, interval);
   if (starts_inside(blade)) return solver_.upper_bound(course_of_tip(interval, blade).rate) < allowed;
   // A tip that has just lifted off may stand at the ring for a while.
-  return bound < allowed || bound < whole_->constants.gap_rounding(law_->geometry(blade));
+  if (bound < whole_->constants.gap_rounding(law_->geometry(blade))) return true;
+  // Between the nodes places err, and a tip may come closer by that; not where it starts, nor where it is at
+  // the ring in the end.
+  const double error =
+      2.0 * machine().ring_radius * error_between_nodes(interval) * interval.elapsed.at_end();
+  const bool may_come_closer = allowed == 0.0 && pose(blade, end_).gap < -error;
+  return bound < (may_come_closer ? -error : allowed);
 }
 
 /// Whether a fold is the lift-off of an unbent blade: time stands still there, too, so that rounding, or an

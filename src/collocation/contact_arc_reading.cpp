@@ -89,8 +89,8 @@ std::optional<ContactArc::Point> ContactArc::most_loaded(int blade, bool of_forc
   const TipInTime& in_time = tip(blade);
   const AtPlaces values = of_force ? at_places(in_time.at_start.normal, in_time.normal_force)
                                    : at_places(in_time.at_start.root_strain, in_time.root_strain);
-  const double error =
-      kSafety * allowed_ / whole_->constants.length_scale * *std::max_element(values.begin(), values.end());
+  const double error = kSafety * allowed_between_nodes() / whole_->constants.length_scale *
+                       *std::max_element(values.begin(), values.end());
   if (solver_.upper_bound(values) + error <= known) return std::nullopt;  // mostly
   const Stretch within = stretch(from, to);
   const auto most = largest_of(values, within.first, within.last, known - error);
@@ -107,7 +107,7 @@ double ContactArc::largest_displacement(double from, double to, double known) {
   const Stretch within = stretch(from, to);
   const integrate::Sample there = farthest(made(), within.first, within.last);
   // Between the nodes a place errs by less than a velocity would move it in a unit of time.
-  if (!(there.value + allowed_ > known)) return known;
+  if (!(there.value + allowed_between_nodes() > known)) return known;
   const rotor::ShaftAndRing bodies = solved_in(within, there.argument).bodies;
   return std::max(known, std::sqrt(bodies[0] * bodies[0] + bodies[1] * bodies[1]));
 }

@@ -16,9 +16,11 @@
 namespace rubatlas::collocation {
 namespace {
 
-constexpr double kMostTurning = 1.2;  ///< [rad] of one arc
-constexpr double kLongest = 3.0;      ///< arc: where friction is small, coefficients fall unevenly beyond
-constexpr double kAim = 0.68;         ///< of the length that just keeps the bound
+constexpr double kMostTurning = 1.2;    ///< [rad] of one arc
+constexpr double kLongest = 3.0;        ///< arc: where friction is small, coefficients fall unevenly beyond
+constexpr double kLongestOfLone = 2.0;  ///< the curve of a blade over p has branch points at ±iπ/2
+constexpr double kAim = 0.68;           ///< of the length that just keeps the bound
+constexpr double kAimOfLone = 0.8;
 constexpr double kLeastGrowth = 0.5;
 constexpr double kMostGrowth = 2.0;
 constexpr double kLeastRetry = 0.3;
@@ -31,7 +33,7 @@ constexpr double kLongestHalf = 1.5;  ///< [τ] half of a contact, as a first es
 
 /// error^(−1/kOrder) to half a per cent: a table over the errors' exponents and first bits. A power takes as
 /// long as what else follows from an error.
-double length_by_error(double error) {
+double root_of_error(double error) {
   constexpr int kFirstBits = 3;
   // Smaller and larger errors change a length by what its change is limited to.
   constexpr double kLeast = 0x1p-15;
@@ -66,6 +68,7 @@ Interval::Direction direction_of(double time, double argument) {
 }  // namespace
 
 void Predictor::begin(const Start& start) {
+  is_lone_ = start.is_lone;
   shaft_ = {.acceleration = {start.acceleration.shaft.real(), start.acceleration.shaft.imag()}};
   ring_ = {.acceleration = {start.acceleration.ring.real(), start.acceleration.ring.imag()}};
   const double speed = start.at.speed;
@@ -184,8 +187,8 @@ void Predictor::begin_unloaded(const Start& start, double half, double rate, dou
 void Predictor::guess(Interval& next) {
   next.shaft.at_start = shaft_;
   next.ring.at_start = ring_;
-  const double length =
-      std::min({length_, kLongest, kMostTurning / std::max(std::abs(curvature_), kStraight)});
+  const double length = std::min({length_, is_lone_ ? kLongestOfLone : kLongest,
+                                  kMostTurning / std::max(std::abs(curvature_), kStraight)});
   length_of_trial_ = length;
   const AtNodes& node = kNodeTables.node;
   const double half_turn = 0.5 * curvature_ * length;
@@ -220,18 +223,31 @@ void Predictor::guess(Interval& next) {
   for (std::size_t i = 0; i < kNodes; ++i) next.leader().lean[i] = lean_.after(elapsed[i]);
 }
 
+/// Of the next arc, against that of an arc which errs so.
+double Predictor::length_by_error(double error) const {
+  return (is_lone_ ? kAimOfLone : kAim) * root_of_error(error);
+}
+
 void Predictor::accepts(double error, const Interval* first) {
-  length_ = length_of_trial_ * std::clamp(kAim * length_by_error(error), kLeastGrowth, kMostGrowth);
+  length_ = length_of_trial_ * std::clamp(length_by_error(error), kLeastGrowth, kMostGrowth);
   if (first == nullptr || rests_) return;
   double& share = share_of_first_[first->start_argument > 0.0 ? 1 : 0];
   share = std::min(std::sqrt(share * length_ / unit_length_), 1.0);
 }
 
 bool Predictor::shortens(double error) {
-  const double less =
-      error < kUnknownError ? std::max(kLeastRetry, kAim * length_by_error(error)) : kUnsolvedRetry;
+  const double less = error < kUnknownError ? std::max(kLeastRetry, length_by_error(error)) : kUnsolvedRetry;
   length_ = length_of_trial_ * less;
   return length_ > shortest_;
+}
+
+double Predictor::steepness(const Interval& interval) const {
+  const Interval::Direction chord{interval.chord.time / time_unit_, interval.chord.argument};
+  const Interval::Direction tangent{interval.time_slope.at_end() / time_unit_,
+                                    interval.argument_slope.at_end()};
+  const double cross = chord.time * tangent.argument - chord.argument * tangent.time;
+  const double dot = chord.time * tangent.time + chord.argument * tangent.argument;
+  return cross * cross / (cross * cross + dot * dot);
 }
 
 void Predictor::goes_on(const Interval& interval) {

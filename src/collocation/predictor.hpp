@@ -34,6 +34,7 @@ class Predictor {
     contact::BladeDirection direction;  ///< er
     Bending bending;
     rotor::Acceleration acceleration;
+    bool is_lone;  ///< an elastic blade under an axial load, and no other touches
   };
   void begin(const Start& start);
   /// How long a contact that has just begun lasts, roughly [τ].
@@ -55,6 +56,9 @@ class Predictor {
   /// Likewise, and the next trial is to be shorter. False where it would be too short.
   bool shortens(double error);
 
+  /// sin² of the angle between an interval's chord and its curve, where it ends.
+  [[nodiscard]] double steepness(const Interval& interval) const;
+
   /// To the end of the interval that has been made.
   void goes_on(const Interval& interval);
 
@@ -63,6 +67,7 @@ class Predictor {
   static constexpr double kStillShorter = 1e-5;  ///< of that, where nothing else helps
 
   void begin_under_load(const Start& start, double half);
+  [[nodiscard]] double length_by_error(double error) const;
   [[nodiscard]] double unit_at_rest(double time, double argument, double lean) const;
   void begin_unloaded(const Start& start, double half, double rate, double curvature_of_gap);
 
@@ -78,6 +83,7 @@ class Predictor {
   /// Length of the first arc against that unit, as the contacts of this motion have had it so far: of
   /// contacts that start unloaded, and under load.
   std::array<double, 2> share_of_first_{0.5, 1.0};
+  bool is_lone_ = false;          ///< `Start::is_lone`
   double length_ = 1.0;           ///< of the next arc in that plane
   double length_of_trial_ = 1.0;  ///< of the present one
   double shortest_ = 0.0;

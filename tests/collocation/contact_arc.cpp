@@ -192,9 +192,9 @@ void expect_that_errors_follow_the_tolerance(const Survey& found, double toleran
                                     << quantile(found.errors, 1.0) << ", given up " << found.given_up
                                     << " of " << found.errors.size() << ", other ends "
                                     << found.ended_otherwise);
-  EXPECT_LE(quantile(found.errors, 0.5), tolerance);
-  EXPECT_LE(quantile(found.errors, 0.999), 20.0 * tolerance);
-  EXPECT_LE(quantile(found.errors, 1.0), 100.0 * tolerance);
+  EXPECT_LE(quantile(found.errors, 0.5), 0.1 * tolerance);
+  EXPECT_LE(quantile(found.errors, 0.999), 5.0 * tolerance);
+  EXPECT_LE(quantile(found.errors, 1.0), 20.0 * tolerance);
   EXPECT_EQ(found.not_noticed, 0);
   EXPECT_LE(found.given_up, 0.03 * static_cast<double>(found.errors.size()));
   EXPECT_LE(found.reversals_given_up, 0.1 * found.reversals);
@@ -210,9 +210,9 @@ TEST(ContactArc, OfColumnsErrsByItsTolerance) {
     expect_that_errors_follow_the_tolerance(survey(300, tolerance, false, false), tolerance);
 }
 
-/// Measured at 1e-7, 1e-9, 1e-11, 99.9 % in tolerances: 6.7, 5.1, 11 by arcs; 2.7, 3.7, 5.9 by steps, which
-/// solve for the force of each stage. At 1e-9 the largest: 22 and 52; of columns 180 in steps, whose force
-/// jumps where a contact begins.
+/// Measured at 1e-7, 1e-9, 1e-11, 99.9 % in tolerances: 2.7, 1.3, 2.6 by arcs; 2.7, 3.7, 5.9 by steps, which
+/// solve for the force of each stage. At 1e-9 the largest: 5.4 and 52; of columns 12 and, in steps, 180,
+/// whose force jumps where a contact begins.
 void expect_that_those_in_steps_do(const Survey& found, double tolerance) {
   EXPECT_LE(quantile(found.errors_of_hybrid, 0.999), 20.0 * tolerance) << tolerance;
 }
@@ -314,8 +314,8 @@ TEST(ContactArc, PlacesBetweenTheNodesErrAsVelocitiesMayThere) {
       largest = std::max({largest, std::abs(place[0] - solved[0]), std::abs(place[1] - solved[1])});
     }
   });
-  // 0.27 ε^(9/14) of the clearance for velocities, over less than a unit of time.
-  EXPECT_LE(largest, 0.27 * std::pow(1e-9, 9.0 / 14.0) * 1.5 * kClearance);
+  // 0.54 ε^(9/14) of the clearance for velocities, over less than a unit of time.
+  EXPECT_LE(largest, 0.54 * std::pow(1e-9, 9.0 / 14.0) * 1.5 * kClearance);
   EXPECT_GT(largest, 0.0);
 }
 
