@@ -90,8 +90,12 @@ auto Settling::candidate(std::size_t period) const -> std::optional<Candidate> {
   for (int i = 0;; ++i) {
     const Section correction = integrate::solve(closing, turn->sections.back() - at);
     const double before = std::exchange(step, correction.lpNorm<Eigen::Infinity>());
-    if (i > 0 && step < 0.1 * error_) break;
-    if (i > 0) contraction = std::max(contraction, step / before);
+    if (i > 0) {
+      const double ratio = step / before;
+      // Steps that are as small as the errors of sections need not fall.
+      if (step < 0.1 * error_ || (step < error_ && ratio > kContraction)) break;
+      contraction = std::max(contraction, ratio);
+    }
     // A largest element is not seen where others are no numbers: J may have a multiplier 1.
     if (!correction.allFinite() || step > scale_ || contraction > kContraction || i == kMostSteps)
       return std::nullopt;

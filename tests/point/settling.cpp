@@ -126,6 +126,15 @@ TEST(Settling, ASpiralEndsInItsCentreLongBeforeItGetsThere) {
   for (Eigen::Index i = 0; i < 4; ++i) EXPECT_NEAR(settled.cycle[0][i], centre[i], 0.1 * kError);
 }
 
+TEST(Settling, AMotionOnItsCycleEndsThereThoughNewtonsStepsAreAsLargeAsTheErrorsOfSections) {
+  // Each section errs anew, and Newton's steps do not fall below what comes of that.
+  const auto error = [](double x) { return 0.4 * kError * std::sin(1e13 * x); };
+  const auto settled =
+      along_one([&](double x) { return 0.25 + 0.2 * (x - 0.25) + error(x); }).run(at(0.3), 100);
+  ASSERT_EQ(settled.cycle.size(), 1U);
+  EXPECT_NEAR(settled.cycle[0][0], 0.25, kError);
+}
+
 TEST(Settling, ACycleOfTwoEndsInBothItsSectionsInTheirOrder) {
   const double r = 3.3;
   const auto settled = along_one([r](double x) { return r * x * (1.0 - x); }).run(at(0.3), 300);
