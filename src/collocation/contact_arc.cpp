@@ -16,7 +16,7 @@ ContactArc::ContactArc(const rotor::Machine& machine, Law& law, double tolerance
       solver_(interval_solver()),
       predictor_(machine, law),
       straight_tips_(machine, law),
-      allowed_(allowed_between_nodes(tolerance, whole_->constants.length_scale)),
+      allowed_(allowed_at(tolerance, whole_->constants.length_scale)),
       ring_keeps_load_(!law.ends_at_ring() && !law.is_rigid()),
       earlier_(machine.ring_body() != nullptr, whole_->constants.length_scale) {
   law.take_machine(machine);

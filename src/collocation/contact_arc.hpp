@@ -223,9 +223,9 @@ class ContactArc {
   bool solve(Interval& interval, bool warm, double closest = std::numeric_limits<double>::infinity());
   /// One elastic blade under an axial load makes all of the force.
   [[nodiscard]] bool is_lone() const { return tips_.size() == 1 && !law_->leans() && !law_->is_rigid(); }
-  /// Error of a velocity between the nodes: what is allowed, at a tolerance [m] and now, and that of an
-  /// interval [m per unit τ].
-  [[nodiscard]] static double allowed_between_nodes(double tolerance, double clearance);
+  // Error of a velocity between the nodes [m per unit τ]: what is allowed at a tolerance [m] to all but a
+  // lone blade, what is allowed now, and that of an interval.
+  [[nodiscard]] static double allowed_at(double tolerance, double clearance);
   [[nodiscard]] double allowed_between_nodes() const;
   [[nodiscard]] static double error_between_nodes(const Interval& interval);
   [[nodiscard]] double left_out_of_lone(const Interval& interval) const;
@@ -321,7 +321,7 @@ class ContactArc {
   std::vector<contact::BladeDirection> from_first_;  ///< of the blades from the place of blade 0
   std::vector<int> others_;                          ///< blades that do not touch
   std::vector<BladeStart> tips_;                     ///< where the next interval starts; the first leads
-  double allowed_;                                   ///< between the nodes, for all but a lone blade
+  double allowed_;                                   ///< `allowed_at` the tolerance
   bool ring_keeps_load_;                             ///< it yields to elastic blades in its own time
 
   bool begins_ = false;  ///< the next interval is the first of the contact

@@ -27,7 +27,7 @@ double fall_of(const AtNodes& coefficients) {
 /// At the tolerance ε a factor times ε^(9/14) of the clearance: the motion goes on from the ends of
 /// intervals, whose errors fall as about the fourteenth power of the length where those between the nodes
 /// fall as the ninth. Whatever has to be accurate within an interval is solved for (`solved_at`).
-double ContactArc::allowed_between_nodes(double tolerance, double clearance) {
+double ContactArc::allowed_at(double tolerance, double clearance) {
   constexpr double kBetweenNodes = 0.27;
   constexpr double kOrderAtEnd = 14.0;
   return kBetweenNodes * clearance * std::pow(tolerance / clearance, Predictor::kOrder / kOrderAtEnd);
