@@ -125,6 +125,7 @@ modes::ModeEnd Motion::fly(double period, modes::MotionListener& listener) {
 
 modes::ModeEnd Motion::touch(double period, modes::MotionListener& listener) {
   const modes::ModeEnd end = phase_->advance(period, listener);
+  if (end.guard == modes::Guard::failed) return end;
   phase_->hand_over(time_, state_, contacts_);
   if (end.guard == modes::Guard::horizon) {
     phase_->shift_time(period);

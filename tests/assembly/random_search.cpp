@@ -83,6 +83,11 @@ TEST(RandomScenes, OfThirtyBladesUnderAnInclinedLoadKeepTheBoundOfTheWork) {
   EXPECT_TRUE(search(425));
 }
 
+TEST(RandomScenes, WhoseWorkIsSpentWhereABladeTouchesDownAtOnceEndWithAStatus) {
+  // The contacts were asked for in an interval that had not been made.
+  EXPECT_TRUE(search(775));
+}
+
 TEST(RandomScenes, WhereTwoKnotsOfABladesTableFindTheSameFoldEndWithAStatus) {
   EXPECT_TRUE(search(7079));
 }
