@@ -53,8 +53,8 @@ class FreeShaft {
   Complex centre_;  ///< [m] of these circles, from that of the ring
 };
 
-/// The largest deflection under constant loads [m] of the lines on which it is larger than this share of the
-/// clearance; 0 where there are none.
+/// The largest deflection under constant loads [m] of the lines on which it is larger than this share of
+/// their `length_scale`; 0 where there are none.
 [[nodiscard]] double largest_sag(const settings::Scene& scene, double share);
 
 }  // namespace rubatlas::analysis

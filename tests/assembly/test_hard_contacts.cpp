@@ -137,7 +137,7 @@ TEST(HardContacts, OfSeveralBladesThatHardlyBendMoveAsInSteps) {
   // Thick blades on a soft ring, which touch ever more lightly; blades with next to no friction, whose load
   // all but jumps to Euler's; stiff columns that lift off while they are all but unbent.
   const nlohmann::json thick = {
-      {"accuracy", {{"tolerance", 1e-7}}},
+      {"accuracy", {{"tolerance", 7e-4}}},
       {"rotor",
        {{"mass", 114}, {"damping_ratio", 0.97}, {"natural_frequency", 514}, {"misalignment", -1.012}}},
       {"blades",
@@ -194,12 +194,20 @@ TEST(HardContacts, OfSeveralBladesThatHardlyBendMoveAsInSteps) {
       {"initial", {{"vx", 4.085296382469858e-09}, {"vy", 2.075223002143767e-10}}},
       {"grid", {{"speed_ratio", 664.7232317368299}}}};
   assembly::BladeTables tables;
-  constexpr double kApart = 1e-9;
-  for (nlohmann::json document : {thick, next_to_no_friction, stiff_columns}) {
+  const auto expect_to_move_so = [&](nlohmann::json document, double apart) {
     document["validity"] = {{"max_shortening", 0.2}};
-    SCOPED_TRACE(document["contact"].dump());
-    EXPECT_GT(expect_to_move_as_in_steps(of_revolutions(document, 2), tables, kApart).touchdowns, 1U);
-  }
+    SCOPED_TRACE(document.dump());
+    EXPECT_GT(expect_to_move_as_in_steps(of_revolutions(document, 2), tables, apart).touchdowns, 1U);
+  };
+  constexpr double kApart = 1e-9;
+  expect_to_move_so(next_to_no_friction, kApart);
+  expect_to_move_so(stiff_columns, kApart);
+  // The last contacts of thick blades move the shaft by less than that tolerance, which is all that is asked.
+  constexpr double kClearance = 1.012;
+  expect_to_move_so(thick, 7e-4 * kClearance);
+  nlohmann::json exact = thick;
+  exact["accuracy"]["tolerance"] = 1e-7;
+  expect_to_move_so(exact, kApart);
 }
 
 /// Straight up to their Euler load, and bent beyond.

@@ -8,6 +8,8 @@
 #include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <iomanip>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <random>
@@ -187,14 +189,17 @@ Survey survey(int wanted, double tolerance, bool with_hybrid, bool rubs = true) 
 }
 
 void expect_that_errors_follow_the_tolerance(const Survey& found, double tolerance) {
-  SCOPED_TRACE(::testing::Message() << "tolerance " << tolerance << ": median " << quantile(found.errors, 0.5)
-                                    << ", 99.9 % " << quantile(found.errors, 0.999) << ", largest "
-                                    << quantile(found.errors, 1.0) << ", given up " << found.given_up
-                                    << " of " << found.errors.size() << ", other ends "
-                                    << found.ended_otherwise);
-  EXPECT_LE(quantile(found.errors, 0.5), 0.1 * tolerance);
-  EXPECT_LE(quantile(found.errors, 0.999), 5.0 * tolerance);
-  EXPECT_LE(quantile(found.errors, 1.0), 20.0 * tolerance);
+  const auto in_tolerances = [&](double share) { return quantile(found.errors, share) / tolerance; };
+  const ::testing::Message errors =
+      ::testing::Message() << std::setprecision(3) << "tolerance " << tolerance << ": median "
+                           << in_tolerances(0.5) << ", 99.9 % " << in_tolerances(0.999) << ", largest "
+                           << in_tolerances(1.0) << " tolerances, given up " << found.given_up << " of "
+                           << found.errors.size() << ", other ends " << found.ended_otherwise;
+  std::cout << errors << '\n';
+  SCOPED_TRACE(errors);
+  EXPECT_LE(in_tolerances(0.5), 0.1);
+  EXPECT_LE(in_tolerances(0.999), 5.0);
+  EXPECT_LE(in_tolerances(1.0), 20.0);
   EXPECT_EQ(found.not_noticed, 0);
   EXPECT_LE(found.given_up, 0.03 * static_cast<double>(found.errors.size()));
   EXPECT_LE(found.reversals_given_up, 0.1 * found.reversals);
