@@ -299,10 +299,9 @@ ContactArc::Outcome ContactArc::end_at_once(Guard guard, int blade) {
   return Outcome::made;
 }
 
-/// The blade whose tip is at the ring where an arc begins, or beyond it by what the tolerance lets it, and
+/// The blade whose tip is at the ring where the next interval starts, or beyond it by what the tolerance lets it, and
 /// moves outwards. In a ring with dampers it is inside: it had lifted off there.
 int ContactArc::touches_at_once() const {
-  if (!begins_) return kNoBlade;
   for (const int blade : others_) {
     const contact::Pose there = pose(blade, end_);
     const bool touches = law_->ends_at_ring()

@@ -184,8 +184,8 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
   constexpr double kCloser = 1e-3;      // than other guards, in θ
   constexpr double kCloseAtJump = 0.1;  // likewise, where the force jumps
   const Guard guard = guard_of_tip(ending.guard);
-  const bool loosens = guard == Guard::loosening;
-  const bool may_rest = law_->leans() && (loosens || guard == Guard::slip_reversal);
+  const bool loosens = law_->leans() && guard == Guard::loosening;
+  const bool may_rest = loosens || (law_->leans() && guard == Guard::slip_reversal);
   const double rounding = loosens ? std::numeric_limits<double>::epsilon() * machine().ring_radius
                                   : kToRounding * slip_rounding();
   const double closest = may_rest ? rounding : std::numeric_limits<double>::infinity();
@@ -194,6 +194,7 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
                                                                                       : 1.0);
   double left_before = std::numeric_limits<double>::infinity();
   double fraction_before = 1.0;
+  bool is_located = true;
   for (int i = 0; i < (may_rest ? 2 * kTimes : kTimes); ++i) {
     // Again from where it was cut, which mostly takes one sweep.
     if (!cut(i == 0 ? whole : shorter, ending.fraction / fraction_before, shorter, closest)) {
@@ -204,19 +205,23 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
     fraction_before = ending.fraction;
     const double left = left_at_end(ending, shorter);
     rounding_at_end_ = 2.0 * std::abs(left);
-    // What holds a tip may change so fast that the polynomial tells little of the slope: two places do. What
-    // hardly falls is rounding.
+    // What holds a tip may change so fast that the polynomial tells little of the slope: two places do, unless
+    // what is left is rounding and hardly falls.
     constexpr double kFalls = 0.1;
     constexpr double kHardly = 0.5;
+    constexpr double kMayBeRounding = 1e-8;  // of |c|²
     const double ratio = left / left_before;
-    if (loosens && may_rest && std::abs(ratio) > kFalls && ratio < kHardly) ending.slope *= 1.0 - ratio;
+    const bool may_be_rounding = std::abs(left) < kMayBeRounding;
+    is_located = !loosens || may_be_rounding;
+    if (loosens && std::abs(ratio) > kFalls && (ratio < kHardly || !may_be_rounding))
+      ending.slope *= 1.0 - ratio;
     left_before = left;
     const double less = left / ending.slope;
     if (!(std::abs(less) > closest_fraction) || ending.fraction - less > 1.0) break;
     ending.fraction -= less;
     if (!(ending.fraction > 0.0)) return false;
   }
-  return true;
+  return is_located;
 }
 
 /// What a guard of the leading blade is. At a fold the place of a tip at rest is lost, and where its blade

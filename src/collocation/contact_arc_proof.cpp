@@ -68,7 +68,12 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
   const bool reaches_zero = next.chord.time == 0.0;
   solver_.bounds(machine(), next, bounds_);
   const auto first = touch_down(next, guard_of_contacts(next));
-  if (!first) return Verdict::too_long;
+  if (!first) {
+    // A tip that came off its place at the ring by less than rounding, and comes back.
+    const int blade = begins_ ? kNoBlade : touches_at_once();
+    ending = {Guard::touch_down, 0.0, blade};
+    return blade == kNoBlade ? Verdict::too_long : Verdict::at_once;
+  }
   ending = *first;
   const bool in_part = ending.guard != Guard::none;
   Interval& part = intervals_[made_];  // what has been made before is not asked for again

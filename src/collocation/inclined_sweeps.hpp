@@ -105,7 +105,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   template <bool kLight>
   RUBATLAS_IN_ONE_FUNCTION double sweep() {
     const Interval& in = interval_;
-    this->take_direction();
+    if (!this->direction_holds_) this->take_direction();
     const Number argument = this->chord_argument_ + deviation_ * in.normal.argument;
     const Number square = argument * argument;
     const Pose at = pose_from(in.leader(), er_);
@@ -176,15 +176,21 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     this->add_push(push_by_slip_ * slip);
     return slip;
   }
-  /// Bends the blade, at rest, to the load that has followed a slip velocity.
+  /// Bends the blade, at rest, to the load that has followed a slip velocity. Where the blade all but stands
+  /// still this moves the nodes far in time, and all that depends on it has to follow: the next interval
+  /// begins with what is kept.
   void bend_to(const Number& slip) {
     const Number e = lead_.e_by_velocity() * slip;
     const Number step = e * deviation_per_e_ * -1.0;
+    const Number lean_step = e * lean_per_e_;
     deviation_ = deviation_ + step;
-    lean_ = lean_ + e * lean_per_e_;
+    lean_ = lean_ + lean_step;
     const Number time_step = step * interval_.normal.time;
     shaft_.go_on(time_step);
     if (ring_moves()) ring_.go_on(time_step);
+    this->take_direction();
+    const Number bending_step = bending_slope_ * (step * interval_.normal.argument);
+    lead_.move_on(bending_step, lean_step, time_step, machine_.force_unit);
   }
   /// Gauss's elimination of 1 − ∂v/∂v by the way of the load, [j][i]: what a change at node j makes at node
   /// i.
