@@ -252,7 +252,7 @@ class ContactArc {
   [[nodiscard]] double gap_bound(int blade, const Interval& interval) const {
     return solver_.largest_gap(machine(), interval, numbers(blade), offset_of(blade));
   }
-  [[nodiscard]] bool stays_off(int blade, const Interval& interval, double allowed) const;
+  [[nodiscard]] bool stays_off(int blade, const Interval& interval, bool touches_at_end) const;
   /// Whether the trial can be the next interval, up to its ending, and whether that is a stretch of it. Or
   /// its ending is met at once, where it starts.
   enum class Verdict : std::uint8_t { holds, holds_in_part, too_long, another_leads, at_once };

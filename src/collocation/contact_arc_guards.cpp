@@ -126,7 +126,7 @@ std::optional<ContactArc::Ending> ContactArc::touch_down(const Interval& interva
     return farthest * farthest + 2.0 * tip.reach * radial_there + tip.closing < 0.0;
   };
   for (const int blade : others_) {
-    if (stays_far_off(blade) || stays_off(blade, interval, 0.0)) continue;
+    if (stays_far_off(blade) || stays_off(blade, interval, false)) continue;
     const bool inside = starts_inside(blade);
     const TipCourse tip = course_of_tip(interval, blade);
     AtPlaces values = inside ? tip.rate : tip.gap;

@@ -34,19 +34,19 @@ bool ContactArc::stays_valid(const Ending& ending) const {
   return !law_->leans() || (bounds_.time_slope > 0.0 && bounds_.chart_left > 0.0);
 }
 
-/// Whether another tip does not touch within an interval: its gap [m²] stays below what is allowed, or, where
-/// it starts inside the ring, half of the rate of that.
-bool ContactArc::stays_off(int blade, const Interval& interval, double allowed) const {
+/// Whether another tip does not touch within an interval, or only where it ends: its gap [m²] stays below
+/// zero, or, where it starts inside the ring, half of the rate of that.
+bool ContactArc::stays_off(int blade, const Interval& interval, bool touches_at_end) const {
+  const double at_end = touches_at_end ? 2.0 * machine().ring_radius * tolerance_ : 0.0;
+  if (starts_inside(blade)) return solver_.upper_bound(course_of_tip(interval, blade).rate) < at_end;
   const double bound = gap_bound(blade, interval);
-  if (starts_inside(blade)) return solver_.upper_bound(course_of_tip(interval, blade).rate) < allowed;
   // A tip that has just lifted off may stand at the ring for a while.
   if (bound < whole_->constants.gap_rounding(law_->geometry(blade))) return true;
-  // Between the nodes places err, and a tip may come closer by that; not where it starts, nor where it is at
-  // the ring in the end.
+  if (touches_at_end) return bound < at_end;
+  // Between the nodes places err, and a tip may come closer by that; not where it starts.
   const double error =
       2.0 * machine().ring_radius * error_between_nodes(interval) * interval.elapsed.at_end();
-  const bool may_come_closer = allowed == 0.0 && pose(blade, end_).gap < -error;
-  return bound < (may_come_closer ? -error : allowed);
+  return bound < (pose(blade, end_).gap < -error ? -error : 0.0);
 }
 
 /// Whether a fold is the lift-off of an unbent blade: time stands still there, too, so that rounding, or an
@@ -94,10 +94,8 @@ ContactArc::Verdict ContactArc::judge(Ending& ending) {
     // Beyond its ending the interval is no motion.
     const bool lifts = ending.guard == Guard::unbent || ending.guard == Guard::under_load;
     if (!lifts || tips_.size() > 1 || !stays_valid(ending)) solver_.bounds(machine(), part, bounds_);
-    // The tip that touches is at the ring at the end.
-    const double at_ring = 2.0 * machine().ring_radius * tolerance_;
     for (const int blade : others_) {
-      if (!stays_off(blade, part, blade == ending.blade ? at_ring : 0.0)) return Verdict::too_long;
+      if (!stays_off(blade, part, blade == ending.blade)) return Verdict::too_long;
     }
   }
   // Another is close to its fold, where it may have been solved for on the wrong side.
