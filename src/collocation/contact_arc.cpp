@@ -45,11 +45,8 @@ bool ContactArc::solve(Interval& interval, bool warm, double closest) {
                           std::max(machine().ring_radius, 4.0 * std::sqrt(vx * vx + vy * vy));
   const double left = (ring_keeps_load_ ? kClosestOnDampers : kClosest) * tolerance_;
   const double velocity = std::max(std::min(left, closest), rounding);
-  // The load of a tip at rest follows its place so steeply that the next interval would begin with a jump.
-  constexpr double kStepAtRest = 1e-5;
   constexpr double kStepToGuard = 1e-6;
   double step = std::numeric_limits<double>::infinity();
-  if (law_->leans() && std::ranges::count(tips_, 0.0, &TipStart::slip) > 0) step = kStepAtRest;
   if (std::isfinite(closest)) step = kStepToGuard;
   const bool solved = law_->solve(machine(), {velocity, warm, step}, interval);
   sweeps_ += static_cast<std::uint64_t>(interval.sweeps);
