@@ -16,8 +16,7 @@
 namespace rubatlas::collocation {
 namespace {
 
-/// `kPlain`: nothing acts but what the paper's rotor has and harmonic forcings, and `Closeness::step` asks
-/// for nothing, which takes an eighth less.
+/// `kPlain`: nothing acts but what the paper's rotor has and harmonic forcings, which takes an eighth less.
 template <std::size_t kWidth, bool kPlain>
 class ArcSweeps {
  public:
@@ -137,12 +136,6 @@ class ArcSweeps {
   }
   static Vector quarter_turned(const Vector& vector) { return {vector.y * -1.0, vector.x}; }
 
-  /// Of the last step. `step_before`: of the sweep before.
-  [[nodiscard]] bool is_close_enough(double step_before) const {
-    constexpr double kHardlyFalls = 0.5;  // what hardly falls is rounding
-    const double length = std::max(std::abs(interval_.chord.argument), interval_.chord.time);
-    return largest_step_ <= closeness_.step * length || largest_step_ > kHardlyFalls * step_before;
-  }
   /// Sweeps until what is left is below the tolerance. False where it does not become so. `full`: so many
   /// sweeps have slopes of their own.
   template <class Sweeps>
@@ -150,7 +143,6 @@ class ArcSweeps {
     double before = kFirstChange;
     bool light = false;
     double ratio_before = kSlowest;
-    double step_before = kFirstChange;
     for (interval_.sweeps = 1; interval_.sweeps <= most; ++interval_.sweeps) {
       const double change = sweeps.sweep(light);
       if (!(change < kFirstChange)) return false;
@@ -158,15 +150,13 @@ class ArcSweeps {
       // little of what falls slowest.
       const double ratio = interval_.sweeps > 1 ? std::min(change / before, kSlowest) : kSlowest;
       const double rest = change * std::max(ratio, interval_.sweeps > 2 ? ratio_before : kOfSecond);
-      if (rest <= closeness_.velocity && largest_step_ < sweeps.largest_step_allowed() &&
-          (kPlain || is_close_enough(step_before))) {
+      if (rest <= closeness_.velocity && largest_step_ < sweeps.largest_step_allowed()) {
         sweeps.store();
         return true;
       }
       light = interval_.sweeps >= full && change < kConverging * before;
       before = change;
       ratio_before = ratio;
-      step_before = largest_step_;
     }
     return false;
   }

@@ -45,10 +45,7 @@ bool ContactArc::solve(Interval& interval, bool warm, double closest) {
                           std::max(machine().ring_radius, 4.0 * std::sqrt(vx * vx + vy * vy));
   const double left = (ring_keeps_load_ ? kClosestOnDampers : kClosest) * tolerance_;
   const double velocity = std::max(std::min(left, closest), rounding);
-  constexpr double kStepToGuard = 1e-6;
-  double step = std::numeric_limits<double>::infinity();
-  if (std::isfinite(closest)) step = kStepToGuard;
-  const bool solved = law_->solve(machine(), {velocity, warm, step}, interval);
+  const bool solved = law_->solve(machine(), {velocity, warm}, interval);
   sweeps_ += static_cast<std::uint64_t>(interval.sweeps);
   return solved;
 }
@@ -296,8 +293,8 @@ ContactArc::Outcome ContactArc::end_at_once(Guard guard, int blade) {
   return Outcome::made;
 }
 
-/// The blade whose tip is at the ring where the next interval starts, or beyond it by what the tolerance lets it, and
-/// moves outwards. In a ring with dampers it is inside: it had lifted off there.
+/// The blade whose tip is at the ring where the next interval starts, or beyond it by what the tolerance lets
+/// it, and moves outwards. In a ring with dampers it is inside: it had lifted off there.
 int ContactArc::touches_at_once() const {
   for (const int blade : others_) {
     const contact::Pose there = pose(blade, end_);

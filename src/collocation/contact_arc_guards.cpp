@@ -205,8 +205,8 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
     fraction_before = ending.fraction;
     const double left = left_at_end(ending, shorter);
     rounding_at_end_ = 2.0 * std::abs(left);
-    // What holds a tip may change so fast that the polynomial tells little of the slope: two places do, unless
-    // what is left is rounding and hardly falls.
+    // What holds a tip may change so fast that the polynomial tells little of the slope: two places do,
+    // unless what is left is rounding and hardly falls.
     constexpr double kFalls = 0.1;
     constexpr double kHardly = 0.5;
     constexpr double kMayBeRounding = 1e-8;  // of |c|²

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -203,9 +202,6 @@ struct Interval : IntervalStart {
 struct Closeness {
   double velocity;  ///< error of x', y' that may be left [m per unit τ]
   bool warm;        ///< places and velocities at the nodes are known
-  /// Newton's last step along the arc, at most, of the interval's length, as far as rounding lets it fall:
-  /// the next one would be of its square.
-  double step = std::numeric_limits<double>::infinity();
 };
 
 inline constexpr double kFarthestTurn = 0.8;  ///< [rad]: series of sine and cosine lose 1e-16 there

@@ -363,8 +363,7 @@ bool solved(const Machine& machine, const Closeness& closeness, Interval& interv
     const Blade& blade = *tip.blade;
     return blade.yield_unit == 0.0 && blade.ring_damping == 0.0 && blade.axial_unit == 0.0 && !tip.skims;
   };
-  const bool plain =
-      machine.is_plain() && !std::isfinite(closeness.step) && std::ranges::all_of(interval.tips, is_plain);
+  const bool plain = machine.is_plain() && std::ranges::all_of(interval.tips, is_plain);
   return plain ? solved_by<Sweeps<kPlainWidth, true>>(machine, closeness, interval)
                : Sweeps<kWidth, false>(machine, closeness, interval).solve();
 }
