@@ -186,8 +186,7 @@ bool ContactArc::cut_at(const Interval& whole, Ending& ending, Interval& shorter
   const Guard guard = guard_of_tip(ending.guard);
   const bool loosens = law_->leans() && guard == Guard::loosening;
   const bool may_rest = loosens || (law_->leans() && guard == Guard::slip_reversal);
-  const double rounding = loosens ? std::numeric_limits<double>::epsilon() * machine().ring_radius
-                                  : kToRounding * slip_rounding();
+  const double rounding = kToRounding * slip_rounding();
   const double closest = may_rest ? rounding : std::numeric_limits<double>::infinity();
   const double closest_fraction = kClosestFraction * (may_rest                        ? kCloser
                                                       : guard == Guard::slip_reversal ? kCloseAtJump
