@@ -60,12 +60,11 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   using Tip = InclinedTip<kWidth>;
   static constexpr int kMostSweeps = 12;
   static constexpr int kFullSweeps = 3;  ///< with slopes of their own
-  /// An interval may be so short that its velocities hardly change, whatever its ends are. Steep friction
-  /// magnifies the rounding of v.
+  /// An interval may be so short that its velocities hardly change, whatever its ends are.
   [[nodiscard]] double largest_step_allowed() const {
     constexpr double kShareOfInterval = 1e-3;
     const double length = std::max(std::abs(interval_.chord.argument), interval_.chord.time);
-    return std::min(Base::kLargestStep, std::max(kShareOfInterval * length, step_rounding_));
+    return std::min(Base::kLargestStep, kShareOfInterval * length);
   }
 
   /// A further blade. Newton's steps for p² and l at the times that the leading one has.
@@ -125,9 +124,6 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
       deviation_per_e_ = lead_.h_by_lean * inverse;
       lean_per_h_ = e_by_deviation * inverse;
       lean_per_e_ = h_by_deviation * inverse;
-      constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
-      const double speed = std::abs(machine_.speed_ratio) * machine_.ring_radius + shaft_.velocity.largest();
-      step_rounding_ = kRounding * speed * magnitude(lead_.e_by_velocity() * deviation_per_e_).largest();
     }
 
     slip_left_ = slip_left(lead_);
@@ -276,8 +272,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
   Vector push_by_slip_;                      ///< `Tip::push_by_slip` of the leading tip at rest
   std::array<AtNodes, kNodes> elimination_;  ///< of its coupling, [k][i]: factors of row k in row i
   std::vector<FurtherTip> further_;
-  double step_rounding_ = 0.0;  ///< of Newton's steps along the arc, from that of v
-  double slip_left_ = 0.0;      ///< of tips at rest [m per unit τ]
+  double slip_left_ = 0.0;  ///< of tips at rest [m per unit τ]
 };
 
 /// `IntervalSolver::inclined_branch`.
