@@ -206,6 +206,8 @@ void Predictor::guess(Interval& next) {
     // Over p itself, so that the lift-off is the last node.
     next.chord = {0.0, -next.start_argument};
     next.normal = {1.0, 0.0};
+    // As long as it is now: a shorter one, which errors may ask for, stays above.
+    length_of_trial_ = next.start_argument / -(direction.argument * sine_per_turn);
     const double slope = tangent_.time / tangent_.argument;
     const double bend = -curvature_ / (tangent_.argument * tangent_.argument * tangent_.argument);
     for (std::size_t i = 0; i < kNodes; ++i) {
