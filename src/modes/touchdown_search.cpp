@@ -28,13 +28,21 @@ constexpr double kLargestRemainder = 1.0 / 8.0;
 /// The same of rows whose cubics have to show where tips pass: a ring that moves fast turns them round often.
 constexpr double kLargestRemainderOfPasses = 1.0 / 256.0;
 
+/// How long a function that falls certainly goes on to fall: up to the positive root of the parabola above its
+/// slope.
+double falling_step(double slope, double curvature, double third_bound) {
+  const double root = std::sqrt(curvature * curvature - 2.0 * third_bound * slope);
+  return curvature > 0.0 ? -2.0 * slope / (curvature + root) : (root - curvature) / third_bound;
+}
+
 }  // namespace
 
 TouchdownSearch::TouchdownSearch(const Flight& flight, std::vector<contact::Geometry> blades,
-                                 WorkMeter& meter)
+                                 WorkMeter& meter, bool touches_inside)
     : flight_(&flight),
       meter_(&meter),
       machine_(&flight.machine()),
+      touches_inside_(touches_inside),
       blades_(std::move(blades)),
       ring_radius_(blades_.front().ring_radius),
       rounding_(kDoubt * machine_->constants.gap_rounding(blades_.front())),
@@ -235,7 +243,10 @@ double TouchdownSearch::clear_step(const contact::Geometry& geometry, int blade,
   const double remaining = until - time;
   const double horizon = std::min(flight_->time_of_bound(), remaining);
   const FlightBound bound = flight_->bound(time, bodies, horizon);
-  const double step = integrate::conservative_step(value, slope, curvature, gap_bounds(bound).third);
+  const double third = gap_bounds(bound).third;
+  const double step = touches_inside_ && at.gap > rounding_
+                          ? falling_step(slope, curvature, third)
+                          : integrate::conservative_step(value, slope, curvature, third);
   return horizon < remaining ? std::min(step, horizon) : step;
 }
 

@@ -28,8 +28,10 @@ namespace rubatlas::modes {
 /// Also the piece of motion that is being recorded: the flight, with the tips that it knows.
 class TouchdownSearch final : public trajectory::PieceWithoutContact {
  public:
-  /// Flight and meter outlive the search. `blades`: one geometry for each blade.
-  TouchdownSearch(const Flight& flight, std::vector<contact::Geometry> blades, WorkMeter& meter);
+  /// Flight and meter outlive the search. `blades`: one geometry for each blade. `touches_inside`: a tip that
+  /// has lifted off inside the ring touches it where it turns outwards there (MODEL 7.16).
+  TouchdownSearch(const Flight& flight, std::vector<contact::Geometry> blades, WorkMeter& meter,
+                  bool touches_inside = false);
 
   struct Touchdown {
     int blade;
@@ -134,6 +136,7 @@ class TouchdownSearch final : public trajectory::PieceWithoutContact {
   double end_ = 0.0;  ///< of the piece [τ]
   WorkMeter* meter_;
   const rotor::Machine* machine_;
+  bool touches_inside_;
   std::vector<contact::Geometry> blades_;
   double ring_radius_;  ///< R [m]
   double rounding_;     ///< of gaps: below it a row does not tell [m²]

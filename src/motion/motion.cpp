@@ -22,7 +22,7 @@ Motion::Motion(rotor::Machine machine, std::unique_ptr<modes::Law> law, const mo
     : machine_(std::move(machine)),
       modes_(machine_, std::move(law), limits, meter_, make_phases),
       flight_(machine_),
-      search_(flight_, geometries(), meter_),
+      search_(flight_, geometries(), meter_, !modes_.law().ends_at_ring()),
       reversals_(static_cast<std::size_t>(machine_.blades.count())) {
   contacts_.reserve(static_cast<std::size_t>(machine_.blades.count()));
 }
