@@ -198,6 +198,7 @@ class ContactArc {
   [[nodiscard]] static rotor::ContactState state_at(const Point& point) {
     return rotor::full_state(point.bodies, point.time, 0.0);
   }
+  void put_on_ring(int blade, Point& point) const;
   void skim(std::span<Touch> touching, const Point& point) const;
   /// Where a blade in contact stands in `tips_`.
   [[nodiscard]] std::size_t number_of(int blade) const {

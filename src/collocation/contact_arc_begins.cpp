@@ -40,7 +40,13 @@ void ContactArc::lead(double time, const rotor::ShaftAndRing& bodies, std::span<
   begins_ = true;
   ending_ = {};
   start_ = {.time = time, .bodies = bodies, .bending = {}};
-  if (std::ranges::count(touching, true, &Touch::skims) > 0) skim(touching, start_);
+  if (const auto skims = std::ranges::find(touching, true, &Touch::skims); skims != touching.end()) {
+    if (!skims->touches_down()) {
+      put_on_ring(skims->blade, start_);
+      if (const auto found = law_->in_equilibrium(*skims, tip_place(skims->blade, start_))) *skims = *found;
+    }
+    skim(touching, start_);
+  }
   const int leads = touching[leader].blade;
   law_->take(touching[leader]);
   start_.bending = law_->lead(touching[leader]);

@@ -7,7 +7,6 @@
 
 #include "collocation/contact_arc.hpp"
 #include "collocation/interval_samples.hpp"
-#include "rotor/skimming.hpp"
 
 namespace rubatlas::collocation {
 namespace {
@@ -268,8 +267,7 @@ void ContactArc::end_at(const Interval& interval, const Ending& ending) {
   if (ending.guard == Guard::none && interval.chord.time == 0.0)
     ending_ = {Guard::unbent, 1.0, leader(), 0.0};
   if (const auto skims = std::ranges::find(tips_, true, &TipStart::skims); skims != tips_.end()) {
-    rotor::put_on_ring(*whole_, law_->geometry(skims->number), direction(skims->number, end_.time),
-                       whole_->blades.angular_speed(end_.time), end_.bodies);
+    put_on_ring(skims->number, end_);
     if (ending_.guard == Guard::under_load && ending_.blade == skims->number) return;
   }
   if (ending_.guard == Guard::unbent) {

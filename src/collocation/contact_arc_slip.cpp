@@ -41,6 +41,13 @@ void ContactArc::set_out_as_solved() {
   }
 }
 
+/// Puts a tip that skims on the ring, g = 0 and dg/dτ = 0: what its last hop has left of them would take it
+/// off.
+void ContactArc::put_on_ring(int blade, Point& point) const {
+  rotor::put_on_ring(*whole_, law_->geometry(blade), direction(blade, point.time),
+                     whole_->blades.angular_speed(point.time), point.bodies);
+}
+
 /// Finds λ of the tip that skims, under the forces of the others.
 void ContactArc::skim(std::span<Touch> touching, const Point& point) const {
   const rotor::ContactState state = state_at(point);

@@ -77,19 +77,32 @@ bool ContactModes::begins_to_skim(const rotor::ContactState& state,
   // some tens of tolerances while the force changes along the ring.
   constexpr double kUnresolvedHop = 1.0;
   const OpenContact& touches = contacts.back();
-  std::complex<double> others;
-  for (const OpenContact& open : std::span(contacts).first(contacts.size() - 1))
-    others +=
-        contact::on_rotor(law_->force(open, tip_place(open.blade, state)), direction(open.blade, state));
+  const std::span<const OpenContact> before = std::span(contacts).first(contacts.size() - 1);
+  const auto force_of_others = [&](const rotor::ContactState& there) {
+    std::complex<double> sum;
+    for (const OpenContact& open : before)
+      sum += contact::on_rotor(law_->force(open, tip_place(open.blade, there)), direction(open.blade, there));
+    return sum;
+  };
   const contact::Geometry& geometry = law_->geometry(touches.blade);
   const contact::BladeDirection er = direction(touches.blade, state);
-  const TipPlace at{pose(touches.blade, state, er), angular_speed(state)};
-  const double rate = contact::gap_rate(geometry, at.pose, at.speed);
-  const double curvature = rotor::free_gap_curvature(machine(), geometry, er, at.pose, state, others);
+  const double speed = angular_speed(state);
+  const contact::Pose at = pose(touches.blade, state, er);
+  const double rate = contact::gap_rate(geometry, at, speed);
+  const double curvature =
+      rotor::free_gap_curvature(machine(), geometry, er, at, state, force_of_others(state));
   const double hop = kUnresolvedHop * limits_.tolerance;
   if (!(rate * rate <= 4.0 * ring_radius() * hop * curvature)) return false;
-  const double share =
-      rotor::skimming_share(machine(), geometry, er, at.pose, state, others, law_->force(touches, at));
+  // It will be put on the ring.
+  rotor::ContactState on_ring = state;
+  OpenContact skims = touches;
+  if (!touches.touches_down()) {
+    rotor::put_on_ring(machine(), geometry, er, speed, on_ring);
+    skims = law_->in_equilibrium(touches, {pose(touches.blade, on_ring, er), speed}).value_or(touches);
+  }
+  const TipPlace there{pose(touches.blade, on_ring, er), speed};
+  const double share = rotor::skimming_share(machine(), geometry, er, there.pose, on_ring,
+                                             force_of_others(on_ring), law_->force(skims, there));
   if (!(share > 0.0 && share < 1.0)) return false;
   std::swap(contacts.front(), contacts.back());
   return true;
