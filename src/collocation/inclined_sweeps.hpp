@@ -150,7 +150,7 @@ class InclinedSweeps : public ArcSweeps<kWidth, false> {
     const Number slip = rests ? follow_slip<kLight>(expected) : Number(0.0);
     const double change = (seen_velocity() - expected).largest();
     if (rests) bend_to(slip);
-    return std::max(slip_left_, change);
+    return std::max(change, slip_left_);  // in this order: not a number where `change` is none
   }
 
   /// Newton's step for the slip velocity of the leading tip: while it rests its load follows the shaft's
