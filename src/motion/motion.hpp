@@ -51,7 +51,7 @@ class Motion final : public PointMotion {
   [[nodiscard]] const modes::Law& law() const { return modes_.law(); }
   [[nodiscard]] rotor::ContactState unbent() const { return rotor::full_state(state_, time_, 0.0); }
   [[nodiscard]] modes::TipPlace place(int blade) const { return modes_.tip_place(blade, unbent()); }
-  bool find_contacts(const std::vector<modes::OpenContact>& held, int touching);
+  bool find_contacts(const std::vector<modes::OpenContact>& held, int touching, bool goes_on = false);
   bool open(int blade, const modes::TipPlace& at);
   bool place_ring();
   ending::StatusDetail settle_others(int blade, modes::MotionListener& listener);
