@@ -77,6 +77,13 @@ void ContactArc::move(Point& point, const Interval& interval, double late) {
   if (point.bending.argument > 0.0)
     point.bending.argument += late * interval.argument_slope.at_end() / interval.time_slope.at_end();
   if (late == 0.0) return;
+  const TipInTime& leads = interval.leader();
+  if (leads.load != nullptr && point.bending.argument > 0.0) {
+    double slope = 0.0;
+    for (std::size_t j = 0; j < kNodes; ++j)
+      slope += kNodeTables.slope[j].at_end() * (leads.lean[j] - leads.start_lean);
+    point.bending.lean += late * slope / interval.time_slope.at_end();
+  }
   const auto go_on = [&](const AtNodes& nodes, double& value) {
     value += late * course_at_end(interval, nodes).rate;
   };
