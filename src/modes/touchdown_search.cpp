@@ -28,8 +28,8 @@ constexpr double kLargestRemainder = 1.0 / 8.0;
 /// The same of rows whose cubics have to show where tips pass: a ring that moves fast turns them round often.
 constexpr double kLargestRemainderOfPasses = 1.0 / 256.0;
 
-/// How long a function that falls certainly goes on to fall: up to the positive root of the parabola above its
-/// slope.
+/// How long a function that falls certainly goes on to fall: up to the positive root of the parabola above
+/// its slope.
 double falling_step(double slope, double curvature, double third_bound) {
   const double root = std::sqrt(curvature * curvature - 2.0 * third_bound * slope);
   return curvature > 0.0 ? -2.0 * slope / (curvature + root) : (root - curvature) / third_bound;

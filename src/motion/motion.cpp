@@ -165,8 +165,8 @@ ending::StatusDetail Motion::begin_mode() {
 // Contacts.
 
 /// The contacts where the blades stand now. Those that were `held` go on; others open whose tips are in the
-/// ring, or that of `touching`, which is at it. False where no force exists (MODEL 5). `goes_on`: a tip that is
-/// not held and moves inwards inside a ring with dampers stays free there (MODEL 7.16).
+/// ring, or that of `touching`, which is at it. False where no force exists (MODEL 5). `goes_on`: a tip that
+/// is not held and moves inwards inside a ring with dampers stays free there (MODEL 7.16).
 bool Motion::find_contacts(const std::vector<modes::OpenContact>& held, int touching, bool goes_on) {
   contacts_.clear();
   for (int k = 0; k < machine_.blades.count(); ++k) {
@@ -174,8 +174,8 @@ bool Motion::find_contacts(const std::vector<modes::OpenContact>& held, int touc
     const auto before = std::ranges::find(held, k, &modes::OpenContact::blade);
     const bool may_be_free = goes_on && !law().ends_at_ring();
     const bool touches =
-        k == touching || (at.pose.gap > 0.0 && !(may_be_free && contact::gap_rate(law().geometry(k), at.pose,
-                                                                                  at.speed) < 0.0));
+        k == touching || (at.pose.gap > 0.0 &&
+                          !(may_be_free && contact::gap_rate(law().geometry(k), at.pose, at.speed) < 0.0));
     if (before != held.end()) {
       modes::OpenContact contact = *before;
       const modes::Standing standing = law().keep(at, contact);

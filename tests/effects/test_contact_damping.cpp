@@ -121,6 +121,81 @@ TEST(ContactDamping, TheTipLiftsOffWhereTheForceVanishesInsideTheRingAndTheRingN
   EXPECT_GE(watch.least_force, -1e-9 * kRingStiffness * kDampedRotor.length_scale);
 }
 
+/// One blade on a soft ring with a strong damper, pressed into it by a constant load along x, that has lifted
+/// off inside: it turns outwards 0.4 later. Its revolution has still `left` to go [τ].
+struct LiftedOffInside {
+  static constexpr double kSpeed = 0.05;
+  static constexpr rotor::RotorConstants kRotor{kSpeed, 0.05, 0.0, 0.01, 0.01};
+  const rotor::Harmonic load{0.02, 0.0, 0.0, kRotor.damping_ratio};
+  const contact::ElasticRingContact law{kDampedGeometry, 1e2, contact::Friction::coulomb(0.1), 1e3};
+
+  [[nodiscard]] std::unique_ptr<motion::Motion> motion() const {
+    return hybrid_motion(machine_of(kRotor, rotor::BladeSet(1, kSpeed), load), law, {1e-12, 0.5}, true);
+  }
+  static motion::PointStart start(double left) {
+    motion::PointStart result{{0.013, 0.0, -0.003, 0.0}};
+    result.time = kRotor.period() - left;
+    return result;
+  }
+};
+/// The events of a blade, and how fast its tip moves outwards there.
+class FirstTouchdown final : public modes::MotionListener {
+ public:
+  void event(const modes::Event& event) override {
+    events.push_back(event);
+    if (event.kind != modes::Guard::touch_down || touched) return;
+    const rotor::BladeSet blades(1, LiftedOffInside::kSpeed);
+    const contact::Pose at = rotor::pose_of(LiftedOffInside::kRotor, kDampedGeometry,
+                                            blades.direction(0, blades.first(event.time)), event.state);
+    touched = {at.gap, contact::gap_rate(kDampedGeometry, at, LiftedOffInside::kSpeed)};
+  }
+  struct Touched {
+    double gap, rate;
+  };
+  std::optional<Touched> touched;
+  std::vector<modes::Event> events;
+};
+
+TEST(ContactDamping, TheTipThatIsFreeInsideTouchesTheRingWhereItTurnsOutwards) {
+  const LiftedOffInside rotor;
+  const auto motion = rotor.motion();
+  FirstTouchdown witness;
+  ASSERT_EQ(motion->start(LiftedOffInside::start(1.0)), ending::StatusDetail::none);
+  ASSERT_EQ(revolve(*motion, witness), PointStatus::done);
+  ASSERT_TRUE(witness.touched.has_value());
+  EXPECT_GT(witness.touched->gap, 1e-4);
+  EXPECT_LT(std::abs(witness.touched->rate), 1e-15);
+}
+
+TEST(ContactDamping, TheTipThatIsFreeInsideStaysFreeWhereTheMachineChangesBetweenRevolutions) {
+  const LiftedOffInside rotor;
+  for (const double left : {0.2, 0.37}) {  // where the ring would push it, or would have to pull
+    std::vector<modes::Event> goes_on;
+    for (const bool changes : {false, true}) {
+      auto motion = rotor.motion();
+      FirstTouchdown before;
+      FirstTouchdown after;
+      ASSERT_EQ(motion->start(LiftedOffInside::start(left)), ending::StatusDetail::none);
+      ASSERT_EQ(revolve(*motion, before), PointStatus::done);
+      if (changes) {
+        auto next = rotor.motion();
+        ASSERT_EQ(next->take_over(*motion), ending::StatusDetail::none);
+        motion = std::move(next);
+      }
+      ASSERT_EQ(revolve(*motion, after), PointStatus::done);
+      if (!changes) {
+        goes_on = after.events;
+        continue;
+      }
+      ASSERT_EQ(after.events.size(), goes_on.size());
+      for (std::size_t i = 0; i < goes_on.size(); ++i) {
+        EXPECT_EQ(after.events[i].kind, goes_on[i].kind);
+        EXPECT_NEAR(after.events[i].time, goes_on[i].time, 1e-9);
+      }
+    }
+  }
+}
+
 TEST(ContactDamping, EnergyThatNoDriveHasGivenFallsByWhatTheDampersTake) {
   const auto [watch, gained] = follow_with_dampers();
   EXPECT_GT(watch.lost_to_ring, 1e-9);

@@ -108,6 +108,37 @@ TEST(Skimming, KeepsTheTipOnTheRing) {
   }
 }
 
+TEST(Skimming, KeepsTheTipOnTheRingFromWhereItBegins) {
+  // It touches down from a hop of half of the tolerance's height.
+  constexpr double kBegin = 317.0;
+  Spectator witness({kBegin});
+  auto before = creeping(0.1, 1e-11);
+  before->start({});
+  ASSERT_EQ(revolve(*before, witness), ending::PointStatus::done);
+  const rotor::State on_ring = witness.states.front();
+  const contact::BladeDirection er = rotor::BladeSet(3, kCreeping.speed_ratio).first(kBegin);
+  for (const double tolerance : {1e-8, 1e-9, 1e-10, 1e-11}) {
+    constexpr double kCurvature = 1e-6;  // of g in free motion there, at least
+    const double outwards = std::sqrt(2.0 * 0.11 * tolerance * kCurvature) / (2.0 * 0.11);
+    motion::PointStart start;
+    start.state = rotor::as_array(on_ring);
+    start.state[2] += outwards * er.cosine;
+    start.state[3] += outwards * er.sine;
+    start.time = kBegin;
+    start.blade = 0;
+    const std::vector<double> times{kBegin + 0.01, kBegin + 0.1, kBegin + 0.2, kBegin + 0.4};
+    Spectator skims(times);
+    auto motion = creeping(0.1, tolerance);
+    ASSERT_EQ(motion->start(start), ending::StatusDetail::none);
+    ASSERT_EQ(revolve(*motion, skims), ending::PointStatus::done);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const contact::Pose at = pose_at(times[i], skims.states[i], 0);
+      EXPECT_LT(std::abs(at.gap), 0.22 * tolerance) << tolerance << " " << times[i] - kBegin;
+      EXPECT_LT(std::abs(contact::gap_rate(kDefaultGeometry, at, kCreeping.speed_ratio)), 0.22 * tolerance);
+    }
+  }
+}
+
 TEST(Skimming, EndsWhereTheFreeMotionLeavesTheRing) {
   // No force is needed any longer: g = 0, g' = 0, and without the blade g'' = 0 too.
   auto motion = creeping(0.1, 1e-11);
